@@ -1,0 +1,187 @@
+#include "scenarios/runner/run.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "estimator/registry/registry.h"
+#include "scenarios/runner/dive.h"
+#include "scenarios/runner/dive_recorder.h"
+#include "scenarios/runner/run_files.h"
+#include "scenarios/runner/version.h"
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
+
+namespace drydock {
+namespace {
+
+constexpr std::size_t kSheetFrames = 8;
+
+/// Adds the wall-clock time of its own life to a sum. Timings are reported, never used.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_;
+};
+
+std::unique_ptr<Dive> StartDive(const Scenario& scenario, const RunOptions& options,
+                                RunTimings& timings) {
+  const Stopwatch watch(timings.setup);
+  auto dive = std::make_unique<Dive>(scenario, options.renderer);
+  timings.simulated = dive->End().Seconds();
+  return dive;
+}
+
+/// Keeps `count` stereo frames that are spread evenly over the dive.
+class FrameSampler {
+ public:
+  FrameSampler(const Dive& dive, std::size_t count) {
+    const auto frames =
+        static_cast<std::size_t>(dive.End().Seconds() * dive.rig().stereo.rate_hz) + 1;
+    wanted_ = report::SpreadEvenly(frames, count);
+  }
+
+  void Look(const Measurement& measurement) {
+    const auto* frame = std::get_if<StereoFrame>(&measurement.reading);
+    if (frame == nullptr || frames_.size() == wanted_.size()) return;
+    if (static_cast<std::size_t>(frame->index) >= wanted_[frames_.size()]) {
+      frames_.push_back({measurement.t, frame->images});
+    }
+  }
+
+  std::vector<report::SheetFrame> Take() { return std::move(frames_); }
+
+ private:
+  std::vector<std::size_t> wanted_;
+  std::vector<report::SheetFrame> frames_;
+};
+
+std::string_view Describe(TrackingStatus status) {
+  switch (status) {
+    case TrackingStatus::kInitialising:
+      return "initialising";
+    case TrackingStatus::kTracking:
+      return "tracking";
+    case TrackingStatus::kDeadReckoning:
+      return "dead reckoning";
+    case TrackingStatus::kLost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+/// Notes each change of the estimator's status or map.
+class EventLog {
+ public:
+  void Look(Time t, const std::optional<NavEstimate>& estimate) {
+    const TrackingStatus status = estimate ? estimate->status : TrackingStatus::kInitialising;
+    const int map_id = estimate ? estimate->map_id : 0;
+    if (!events_.empty() && status == status_ && map_id == map_id_) return;
+    events_.push_back(fmt::format("{:.3f} s: {}, map {}", t.Seconds(), Describe(status), map_id));
+    status_ = status;
+    map_id_ = map_id;
+  }
+
+  std::vector<std::string> Take() { return std::move(events_); }
+
+ private:
+  TrackingStatus status_ = TrackingStatus::kInitialising;
+  int map_id_ = 0;
+  std::vector<std::string> events_;
+};
+
+score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
+  score::RunInfo info;
+  info.scenario = scenario.name;
+  info.seed = scenario.seed;
+  info.estimator = scenario.estimator.name;
+  info.renderer = dive.RendererName();
+  info.commit = Commit();
+  info.config_hash = ConfigHash(scenario);
+  return info;
+}
+
+std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& dive) {
+  const Rig believed = LoadRig(FindRig(scenario.estimator.rig));
+  std::unique_ptr<Estimator> estimator = FindEstimator(scenario.estimator.name).make(believed);
+  estimator->Start(scenario.estimator.start_from_truth ? std::optional(dive.InitialState())
+                                                       : std::nullopt);
+  return estimator;
+}
+
+}  // namespace
+
+RunResult Run(const Scenario& scenario, const RunOptions& options) {
+  RunResult result;
+  RunTimings& timings = result.timings;
+  AtomicDirectory output(options.output);
+  const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
+  const std::unique_ptr<Estimator> estimator = StartEstimator(scenario, *dive);
+  std::optional<DiveRecorder> recorder;
+  if (options.record) recorder.emplace(*dive, output.path() / "dataset");
+  FrameSampler sampler(*dive, kSheetFrames);
+  EventLog log;
+
+  while (true) {
+    std::optional<sim::Observation> observation;
+    {
+      const Stopwatch watch(timings.sensors);
+      observation = dive->Next();
+    }
+    if (!observation) break;
+    const Measurement& measurement = observation->measurement;
+    {
+      const Stopwatch watch(timings.estimator);
+      estimator->Add(measurement);
+    }
+    log.Look(measurement.t_arrival, estimator->Latest());
+    sampler.Look(measurement);
+    if (recorder) {
+      const Stopwatch watch(timings.recording);
+      recorder->Add(*observation);
+    }
+    options.progress(measurement.t_arrival, dive->End());
+  }
+  {
+    const Stopwatch watch(timings.estimator);
+    estimator->Finish();
+  }
+
+  const RunFiles files{
+      dive->Truth(), estimator->Odometry(), estimator->Corrected(), estimator->Loops(),
+      log.Take(),    sampler.Take()};
+  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.odometry,
+                                  files.corrected, scenario.criteria);
+  WriteRunFiles(output.path(), scenario, *dive, files, result);
+  if (recorder) recorder->Commit();
+  output.Commit(AtomicDirectory::IfExists::kReplace);
+  return result;
+}
+
+RunTimings Simulate(const Scenario& scenario, const RunOptions& options) {
+  RunTimings timings;
+  const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
+  DiveRecorder recorder(*dive, options.output);
+  while (true) {
+    std::optional<sim::Observation> observation;
+    {
+      const Stopwatch watch(timings.sensors);
+      observation = dive->Next();
+    }
+    if (!observation) break;
+    const Stopwatch watch(timings.recording);
+    recorder.Add(*observation);
+    options.progress(observation->measurement.t_arrival, dive->End());
+  }
+  recorder.Commit();
+  return timings;
+}
+
+}  // namespace drydock

@@ -1,0 +1,45 @@
+// One run: simulate, estimate in the loop, score.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenarios/runner/scenario.h"
+#include "scenarios/scoring/scorecard.h"
+#include "sim/render/gl_context.h"
+
+namespace drydock {
+
+struct RunOptions {
+  sim::RendererBackend renderer = sim::RendererBackend::kAuto;
+  std::filesystem::path output;  ///< Replaced as a whole when the run is complete.
+  bool record = false;           ///< Keep the dataset in output/dataset.
+  /// Called now and then with simulated time and the dive's end.
+  std::function<void(Time now, Time end)> progress = [](Time, Time) {};
+};
+
+/// Where the wall-clock time of a run went [s].
+struct RunTimings {
+  double setup = 0.0;  ///< Scene, meshes, textures, OpenGL.
+  double sensors = 0.0;
+  double estimator = 0.0;
+  double recording = 0.0;
+  double simulated = 0.0;  ///< Length of the dive.
+};
+
+struct RunResult {
+  score::Scorecard scorecard;
+  RunTimings timings;
+};
+
+/// Runs `scenario` in lock step and writes scorecard.json, timings.json, manifest.json, truth.tum,
+/// odometry.tum, trajectory.tum, loops.csv, events.log, trajectory.png and frames.png to the output
+/// folder. InputError if it cannot run.
+RunResult Run(const Scenario& scenario, const RunOptions& options);
+
+/// Simulates and records only. `output` appears when the recording is complete.
+RunTimings Simulate(const Scenario& scenario, const RunOptions& options);
+
+}  // namespace drydock

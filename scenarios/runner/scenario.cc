@@ -1,0 +1,66 @@
+#include "scenarios/runner/scenario.h"
+
+#include "estimator/registry/registry.h"
+#include "scenarios/runner/scenario_yaml.h"
+#include "sensors_models/base/yaml_reader.h"
+
+namespace drydock {
+namespace {
+
+constexpr Bounds kSeed{0, 1e15};
+
+SceneChoice ReadScene(YamlReader& yaml) {
+  SceneChoice scene;
+  scene.name = yaml.Text("name");
+  scene.seed = static_cast<std::uint64_t>(yaml.Integer("seed", kSeed, 1));
+  return scene;
+}
+
+EstimatorChoice ReadEstimator(YamlReader& yaml) {
+  EstimatorChoice estimator;
+  std::vector<std::string> known;
+  for (const EstimatorEntry& entry : Estimators()) known.emplace_back(entry.name);
+  estimator.name = yaml.Choice("name", known, estimator.name);
+  estimator.rig = yaml.Text("rig", estimator.rig);
+  estimator.start_from_truth = yaml.Boolean("start_from_truth", estimator.start_from_truth);
+  return estimator;
+}
+
+}  // namespace
+
+Scenario ReadScenario(const YamlNode& root, const std::string& name) {
+  Scenario scenario = ReadYaml(root, [&](YamlReader& yaml) {
+    Scenario read;
+    read.summary = yaml.Text("summary");
+    yaml.Map("scene", [&](YamlReader& scene) { read.scene = ReadScene(scene); });
+    read.rig = yaml.Text("rig");
+    yaml.OptionalMap("water", [&](YamlReader& water) { read.water = sim::ReadWater(water); });
+    yaml.OptionalMap("sensors",
+                     [&](YamlReader& sensors) { read.sensors = sim::ReadSensors(sensors); });
+    yaml.Map("motion", [&](YamlReader& motion) { read.motion = sim::ReadMotion(motion); });
+    yaml.OptionalMap("estimator",
+                     [&](YamlReader& estimator) { read.estimator = ReadEstimator(estimator); });
+    read.seed = static_cast<std::uint64_t>(yaml.Integer("seed", kSeed, 1));
+    if (yaml.Has("duration_s")) read.duration_s = yaml.Real("duration_s", {0.1, 1e5});
+    yaml.List("criteria", [&](YamlReader& criterion) {
+      read.criteria.push_back(score::ReadCriterion(criterion));
+    });
+    return read;
+  });
+  if (scenario.estimator.rig.empty()) scenario.estimator.rig = scenario.rig;
+  scenario.name = name;
+  scenario.resolved = root;
+  return scenario;
+}
+
+Scenario LoadScenario(const std::filesystem::path& path,
+                      const std::vector<std::string>& overrides) {
+  YamlNode root = LoadWithBases(path);
+  const std::string name = path.stem().string();
+  Scenario scenario = ReadScenario(root, name);
+  if (overrides.empty()) return scenario;
+  for (const std::string& assignment : overrides) SetYaml(root, assignment);
+  return ReadScenario(root, name);
+}
+
+}  // namespace drydock

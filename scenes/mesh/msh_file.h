@@ -1,0 +1,13 @@
+// MuJoCo's binary mesh format: four counts, then positions, normals, texture coordinates, faces.
+#pragma once
+
+#include "scenes/mesh/mesh.h"
+
+#include <filesystem>
+
+namespace drydock::scenes {
+
+/// Writes `mesh` as .msh (little-endian, single precision). InputError if the file cannot be written.
+void WriteMsh(const Mesh& mesh, const std::filesystem::path& path);
+
+}  // namespace drydock::scenes

@@ -1,0 +1,41 @@
+#include "scenes/scene.h"
+
+#include "scenes/bus/bus_scene.h"
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
+
+#include <algorithm>
+
+namespace drydock::scenes {
+namespace fs = std::filesystem;
+
+std::vector<SceneEntry> Scenes() {
+  return {
+      {"bus", "a school bus on a silty lake bed, open at the back, that can be passed through",
+       bus::kBusVersion,
+       [](std::uint64_t seed, const fs::path& directory) { bus::GenerateBus(seed, directory); }},
+  };
+}
+
+fs::path PrepareScene(const std::string& name, std::uint64_t seed, const fs::path& cache) {
+  return PrepareScene(Scenes(), name, seed, cache);
+}
+
+fs::path PrepareScene(const std::vector<SceneEntry>& scenes, const std::string& name,
+                      std::uint64_t seed, const fs::path& cache) {
+  std::string known;
+  for (const SceneEntry& entry : scenes) known += (known.empty() ? "" : ", ") + entry.name;
+  const auto entry = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const SceneEntry& e) { return e.name == name; });
+  RequireInput(entry != scenes.end(), "no scene \"{}\"; there are: {}", name, known);
+  const fs::path folder =
+      cache / "scenes" / fmt::format("{}-v{}-{}", entry->name, entry->version, seed);
+  const fs::path scene = folder / "scene.xml";
+  if (fs::is_regular_file(scene)) return scene;
+  AtomicDirectory directory(folder);
+  entry->generate(seed, directory.path());
+  directory.Commit(AtomicDirectory::IfExists::kKeepTheirs);
+  return scene;
+}
+
+}  // namespace drydock::scenes

@@ -1,0 +1,16 @@
+// Where the files that come with Drydock are: scenarios, rigs.
+#pragma once
+
+#include <filesystem>
+
+namespace drydock {
+
+/// The folder that holds `scenarios/` and `sensors_models/measurement/rigs/`: $DRYDOCK_DATA if set,
+/// else the source tree this was built from if it is still there, else the installed share/drydock.
+std::filesystem::path DataDirectory();
+
+/// Where generated files are kept between runs: $DRYDOCK_CACHE if set, else
+/// $XDG_CACHE_HOME/drydock, else ~/.cache/drydock, else a folder in the system's temporary one.
+std::filesystem::path CacheDirectory();
+
+}  // namespace drydock

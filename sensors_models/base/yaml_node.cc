@@ -1,0 +1,251 @@
+#include "sensors_models/base/yaml_node.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include <yaml-cpp/yaml.h>
+
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
+
+namespace drydock {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
+constexpr int kMaxDepth = 32;
+/// Anchors can make a small text into a huge tree: a tree that is larger than this is refused.
+constexpr int kMaxNodes = 200'000;
+
+class Converter {
+ public:
+  explicit Converter(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}
+
+  YamlNode Convert(const YAML::Node& from, int depth = 0) {
+    YamlNode to;
+    to.place = {file_, from.Mark().line + 1};
+    RequireInput(depth < kMaxDepth, "{}: nested deeper than {}", to.place.ToString(), kMaxDepth);
+    RequireInput(++nodes_ < kMaxNodes, "{}: more than {} values", to.place.ToString(), kMaxNodes);
+    switch (from.Type()) {
+      case YAML::NodeType::Undefined:
+      case YAML::NodeType::Null:
+        break;
+      case YAML::NodeType::Scalar:
+        to.kind = YamlNode::Kind::kScalar;
+        to.text = from.Scalar();
+        to.quoted = from.Tag() == "!";
+        break;
+      case YAML::NodeType::Sequence:
+        to.kind = YamlNode::Kind::kList;
+        for (const auto& item : from) to.items.push_back(Convert(item, depth + 1));
+        break;
+      case YAML::NodeType::Map:
+        ConvertMap(from, depth, to);
+        break;
+    }
+    return to;
+  }
+
+ private:
+  void ConvertMap(const YAML::Node& from, int depth, YamlNode& to) {
+    to.kind = YamlNode::Kind::kMap;
+    for (const auto& member : from) {
+      const SourcePlace place{file_, member.first.Mark().line + 1};
+      RequireInput(member.first.IsScalar(), "{}: a key must be plain text", place.ToString());
+      const std::string& key = member.first.Scalar();
+      RequireInput(!key.empty(), "{}: a key must not be empty", place.ToString());
+      const YamlNode* earlier = to.Find(key);
+      RequireInput(earlier == nullptr, "{}: the key '{}' stands twice (first in line {})",
+                   place.ToString(), key, earlier == nullptr ? 0 : earlier->place.line);
+      to.members.emplace_back(key, Convert(member.second, depth + 1));
+      to.members.back().second.place = place;
+    }
+  }
+
+  std::shared_ptr<const std::string> file_;
+  int nodes_ = 0;
+};
+
+bool IsPlainText(std::string_view text) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/' || c == '+';
+  };
+  return !text.empty() && text != "-" && text != "." &&
+         std::all_of(text.begin(), text.end(), plain);
+}
+
+/// What ParseYaml would take for nothing rather than for text.
+bool ReadsAsNull(std::string_view text) {
+  return text == "null" || text == "Null" || text == "NULL" || text == "~";
+}
+
+std::string EmitScalar(std::string_view text, bool quoted) {
+  if (!quoted && IsPlainText(text)) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+void EmitValue(const YamlNode& node, int indent, std::string& out);
+
+void EmitMembers(const YamlNode& node, int indent, std::string& out) {
+  for (const auto& [key, value] : node.members) {
+    const bool quote_key = ReadsAsNull(key);
+    out += fmt::format("{:{}}{}:", "", indent, EmitScalar(key, quote_key));
+    EmitValue(value, indent + 2, out);
+  }
+}
+
+void EmitValue(const YamlNode& node, int indent, std::string& out) {
+  switch (node.kind) {
+    case YamlNode::Kind::kNull:
+      out += " ~\n";
+      return;
+    case YamlNode::Kind::kScalar:
+      out += ' ' + EmitScalar(node.text, node.quoted || ReadsAsNull(node.text)) + '\n';
+      return;
+    case YamlNode::Kind::kList:
+      if (node.items.empty()) {
+        out += " []\n";
+        return;
+      }
+      out += '\n';
+      for (const YamlNode& item : node.items) {
+        out += fmt::format("{:{}}-", "", indent);
+        EmitValue(item, indent + 2, out);
+      }
+      return;
+    case YamlNode::Kind::kMap:
+      if (node.members.empty()) {
+        out += " {}\n";
+        return;
+      }
+      out += '\n';
+      EmitMembers(node, indent, out);
+      return;
+  }
+}
+
+/// yaml-cpp lets a quote that is never closed run to the end of the text; a document's end within a
+/// quote, however, is an error.
+std::vector<YAML::Node> LoadDocuments(std::string_view text) {
+  return YAML::LoadAll(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
+}
+
+YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
+  try {
+    const std::vector<YAML::Node> documents = LoadDocuments(text);
+    RequireInput(documents.size() <= 1, "{}: must be one value", place.ToString());
+    if (!documents.empty()) return Converter(place.file).Convert(documents.front());
+  } catch (const YAML::Exception& error) {
+    RequireInput(false, "{}: {}", place.ToString(), error.msg);
+  }
+  return {};
+}
+
+/// The value that one step of a --set path leads to; adds a missing last key of a mapping.
+YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment) {
+  if (node.kind == YamlNode::Kind::kMap) {
+    if (YamlNode* found = node.Find(key)) return *found;
+    RequireInput(last, "--set {}: there is no '{}' at {}", assignment, key, node.place.ToString());
+    return node.members.emplace_back(std::string(key), YamlNode{}).second;
+  }
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+  const bool is_index = error == std::errc() && end == key.data() + key.size();
+  RequireInput(node.kind == YamlNode::Kind::kList && is_index && index < node.items.size(),
+               "--set {}: '{}' leads nowhere at {}", assignment, key, node.place.ToString());
+  return node.items[index];
+}
+
+}  // namespace
+
+std::string SourcePlace::ToString() const {
+  const std::string name = file ? *file : "(unknown)";
+  return line > 0 ? fmt::format("{}:{}", name, line) : name;
+}
+
+const YamlNode* YamlNode::Find(std::string_view key) const {
+  const auto found = std::find_if(members.begin(), members.end(),
+                                  [key](const Member& member) { return member.first == key; });
+  return found == members.end() ? nullptr : &found->second;
+}
+
+YamlNode* YamlNode::Find(std::string_view key) {
+  return const_cast<YamlNode*>(static_cast<const YamlNode*>(this)->Find(key));
+}
+
+YamlNode ParseYaml(std::string_view text, const std::string& file) {
+  const auto name = std::make_shared<const std::string>(file);
+  RequireInput(text.size() <= kMaxFileBytes, "{}: larger than {} bytes", file, kMaxFileBytes);
+  std::vector<YAML::Node> documents;
+  try {
+    documents = LoadDocuments(text);
+  } catch (const YAML::Exception& error) {
+    RequireInput(false, "{}: {}", SourcePlace{name, error.mark.line + 1}.ToString(), error.msg);
+  }
+  RequireInput(documents.size() == 1, "{}: holds {} YAML documents, must hold one", file,
+               documents.size());
+  YamlNode root;
+  try {
+    root = Converter(name).Convert(documents.front());
+  } catch (const YAML::Exception& error) {
+    RequireInput(false, "{}: {}", SourcePlace{name, error.mark.line + 1}.ToString(), error.msg);
+  }
+  RequireInput(root.kind == YamlNode::Kind::kMap, "{}: must be a mapping of keys to values", file);
+  return root;
+}
+
+YamlNode LoadYaml(const std::filesystem::path& path) {
+  return ParseYaml(ReadFile(path, kMaxFileBytes), path.string());
+}
+
+void MergeYaml(YamlNode& base, const YamlNode& over) {
+  if (base.kind != YamlNode::Kind::kMap || over.kind != YamlNode::Kind::kMap) {
+    base = over;
+    return;
+  }
+  for (const auto& [key, value] : over.members) {
+    if (YamlNode* existing = base.Find(key)) {
+      MergeYaml(*existing, value);
+    } else {
+      base.members.emplace_back(key, value);
+    }
+  }
+}
+
+void SetYaml(YamlNode& root, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  RequireInput(equals != std::string_view::npos && equals > 0, "--set {}: must be key.path=value",
+               assignment);
+  const SourcePlace place{std::make_shared<const std::string>(fmt::format("--set {}", assignment)),
+                          0};
+  std::string_view path = assignment.substr(0, equals);
+  YamlNode* node = &root;
+  while (true) {
+    const auto dot = path.find('.');
+    const bool last = dot == std::string_view::npos;
+    node = &Step(*node, path.substr(0, dot), last, assignment);
+    if (last) break;
+    path.remove_prefix(dot + 1);
+  }
+  *node = ParseValue(assignment.substr(equals + 1), place);
+  node->place = place;
+}
+
+std::string EmitYaml(const YamlNode& root) {
+  std::string out;
+  EmitMembers(root, 0, out);
+  return out;
+}
+
+}  // namespace drydock

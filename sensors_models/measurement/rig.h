@@ -1,0 +1,78 @@
+// The rig: where its sensors sit on the body and what their data sheets say. Simulator and
+// estimator each read their own copy: the simulator the true one, the estimator what its maker
+// believes.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "sensors_models/base/pose.h"
+#include "sensors_models/base/yaml_node.h"
+
+namespace drydock {
+
+/// Pinhole with radial-tangential distortion, as OpenCV and EuRoC have it. Pixel centres lie on
+/// integers.
+struct CameraIntrinsics {
+  int width = 0;              ///< [px]
+  int height = 0;             ///< [px]
+  double fx = 0.0, fy = 0.0;  ///< Focal lengths [px].
+  double cx = 0.0, cy = 0.0;  ///< Principal point [px].
+  /// k1, k2 (radial), p1, p2 (tangential).
+  std::array<double, 4> distortion = {0.0, 0.0, 0.0, 0.0};
+};
+
+struct StereoSheet {
+  double rate_hz = 0.0;
+  std::array<CameraIntrinsics, 2> cameras;  ///< Left, right.
+  std::array<Pose, 2> T_IC;                 ///< Camera (x right, y down, z forward) to body.
+};
+
+struct ImuSheet {
+  double rate_hz = 0.0;
+  double gyro_noise_density = 0.0;   ///< [rad/s/sqrt(Hz)]
+  double accel_noise_density = 0.0;  ///< [m/s^2/sqrt(Hz)]
+  double gyro_bias_walk = 0.0;       ///< [rad/s^2/sqrt(Hz)]
+  double accel_bias_walk = 0.0;      ///< [m/s^3/sqrt(Hz)]
+  double gyro_turn_on_bias = 0.0;    ///< Standard deviation of the initial bias [rad/s].
+  double accel_turn_on_bias = 0.0;   ///< Standard deviation of the initial bias [m/s^2].
+};
+
+/// A profiling sonar whose head turns by a fixed step each ping; it scans the x-y plane of S.
+struct SonarSheet {
+  double rate_hz = 0.0;
+  Pose T_IS;
+  double step_rad = 0.0;  ///< Turn of the head from ping to ping.
+  double min_range_m = 0.0;
+  double max_range_m = 0.0;
+  double range_noise_m = 0.0;  ///< Standard deviation of white noise.
+};
+
+struct DepthSheet {
+  double rate_hz = 0.0;
+  Eigen::Vector3d p_ID = Eigen::Vector3d::Zero();  ///< Position of the pressure port [m], in I.
+  double noise_m = 0.0;                            ///< Standard deviation of white noise.
+};
+
+/// A rig without sonar or without pressure sensor has rate_hz = 0 there.
+struct Rig {
+  std::string name;
+  StereoSheet stereo;
+  ImuSheet imu;
+  SonarSheet sonar;
+  DepthSheet depth;
+
+  bool HasSonar() const { return sonar.rate_hz > 0.0; }
+  bool HasDepth() const { return depth.rate_hz > 0.0; }
+};
+
+/// Reads a rig's YAML strictly; InputError with file, line and key.
+Rig ReadRig(const YamlNode& root);
+Rig LoadRig(const std::filesystem::path& path);
+
+/// The file of a rig that comes with Drydock ("svin2_v3"), or `name_or_path` itself if it ends in
+/// .yaml.
+std::filesystem::path FindRig(const std::string& name_or_path);
+
+}  // namespace drydock

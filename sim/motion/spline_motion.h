@@ -1,0 +1,28 @@
+// Motion along a smooth curve through way-points.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/motion/motion.h"
+#include "sim/motion/motion_config.h"
+#include "sim/motion/quintic_spline.h"
+#include "sim/motion/sway.h"
+
+namespace drydock::sim {
+
+/// A four times continuously differentiable curve in position, yaw and pitch through the way-points
+/// at nearly constant speed, with sway on top. Every derivative is analytic, so the IMU that is
+/// read from it is exact. R_WI = Rz(yaw) Ry(pitch) Rx(roll).
+class SplineMotion final : public Motion {
+ public:
+  SplineMotion(const MotionConfig& config, std::uint64_t seed);
+
+  MotionState At(Time t) const override;
+  Time End() const override { return Time::FromSeconds(path_.end()); }
+
+ private:
+  QuinticSpline path_;  ///< x y z yaw pitch over seconds.
+  Sway sway_;
+};
+
+}  // namespace drydock::sim

@@ -1,0 +1,34 @@
+// Water and daylight, as a scenario describes them.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "sensors_models/base/yaml_reader.h"
+
+namespace drydock::sim {
+
+struct WaterConfig {
+  std::string jerlov_type = "III";  ///< Sets the colour of the water.
+  /// Distance at which contrast has fallen to 2 % in the green channel [m] (Koschmieder): c = 3.912
+  /// / V there; the other channels keep their ratio to green. 0 is perfectly clear water: no haze,
+  /// no attenuation.
+  double visibility_m = 12.0;
+  double surface_z_m = 6.0;  ///< Height of the water's surface, in W.
+  /// Radiance of infinitely deep water, seen horizontally, as a share of what a white card that
+  /// faces upwards sends out, per unit of scattering albedo b/c.
+  double veil = 0.3;
+  double sun_share =
+      0.45;  ///< Of the daylight that comes straight from the sun; the rest is diffuse.
+  /// Where the sunlight comes from, under water.
+  double sun_azimuth_deg = 140.0;  ///< In W, from x to y.
+  double sun_elevation_deg = 62.0;
+};
+
+/// Reads the `water` mapping of a scenario.
+WaterConfig ReadWater(YamlReader& yaml);
+
+/// Beam attenuation per channel (red, green, blue) [1/m].
+Eigen::Array3d BeamAttenuation(const WaterConfig& water);
+
+}  // namespace drydock::sim

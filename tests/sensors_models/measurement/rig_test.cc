@@ -1,0 +1,112 @@
+#include "sensors_models/measurement/rig.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
+
+namespace drydock {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(Rig, Svin2Version3Loads) {
+  const Rig rig = LoadRig(FindRig("svin2_v3"));
+  EXPECT_EQ(rig.name, "svin2_v3");
+  EXPECT_EQ(rig.stereo.rate_hz, 15.0);
+  EXPECT_EQ(rig.stereo.cameras[0].width, 800);
+  EXPECT_EQ(rig.stereo.cameras[1].height, 600);
+  EXPECT_EQ(rig.imu.rate_hz, 100.0);
+  ASSERT_TRUE(rig.HasSonar());
+  ASSERT_TRUE(rig.HasDepth());
+  EXPECT_DOUBLE_EQ(rig.sonar.step_rad, 0.9 * std::numbers::pi / 180.0);
+}
+
+TEST(Rig, Svin2Version3LooksForwardAndScansAcross) {
+  const Rig rig = LoadRig(FindRig("svin2_v3"));
+  for (const Pose& T_IC : rig.stereo.T_IC) {
+    // The camera's z is the body's x, its x is right (-y), its y is down (-z).
+    EXPECT_LT((T_IC.q() * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+    EXPECT_LT((T_IC.q() * Eigen::Vector3d::UnitX() + Eigen::Vector3d::UnitY()).norm(), 1e-12);
+    EXPECT_LT((T_IC.q() * Eigen::Vector3d::UnitY() + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  }
+  const Eigen::Vector3d axis = rig.sonar.T_IS.q() * Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(std::abs(axis.x()), 1.0, 1e-12);
+  // The left camera is on the left.
+  EXPECT_GT(rig.stereo.T_IC[0].p().y(), rig.stereo.T_IC[1].p().y());
+}
+
+TEST(Rig, UnknownNameIsAnError) {
+  EXPECT_THROW(FindRig("no_such_rig"), InputError);
+  EXPECT_EQ(FindRig("some/where.yaml"), "some/where.yaml");
+  EXPECT_THROW(LoadRig("some/where.yaml"), InputError);
+}
+
+struct Edit {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* says;
+};
+
+class BrokenRig : public testing::TestWithParam<Edit> {};
+
+TEST_P(BrokenRig, IsNamedWithFileAndLine) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto at = text.find(GetParam().from);
+  ASSERT_NE(at, std::string::npos) << GetParam().from;
+  text.replace(at, std::string(GetParam().from).size(), GetParam().to);
+  try {
+    ReadRig(ParseYaml(text, "broken.yaml"));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("broken.yaml"), HasSubstr(GetParam().says)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Edits, BrokenRig,
+    testing::Values(
+        Edit{"NoName", "name: svin2_v3", "", "'name'"},
+        Edit{"MissingKey", "  rate_hz: 15\n", "", "stereo.rate_hz"},
+        Edit{"UnknownKey", "stereo:\n", "stereo:\n  fov_deg: 3\n", "fov_deg"},
+        Edit{"UnknownSensor", "depth:", "deepth:", "deepth"},
+        Edit{"ZeroRate", "rate_hz: 15", "rate_hz: 0", "stereo.rate_hz is 0"},
+        Edit{"Quaternion", "[-0.5, 0.5, -0.5, 0.5]", "[-0.5, 0.5, -0.5, 0.6]", "of length 1"},
+        Edit{"ThreeNumbers", "[-0.5, 0.5, -0.5, 0.5]", "[-0.5, 0.5, -0.5]", "4 numbers"},
+        Edit{"FarAway", "[0.040, 0.084, -0.005]", "[40.0, 0.084, -0.005]", "position_m.0"},
+        Edit{"TwoSizes", "width_px: 800", "width_px: 400", "same size"},
+        Edit{"Focal", "[575.3, 574.6]", "[575.3, -574.6]", "focal_px.1"},
+        Edit{"Nan", "1.60e-4", ".nan", "gyro_noise_density_rad_s_sqrthz"},
+        Edit{"Ranges", "max_range_m: 6.0", "max_range_m: 0.1", "more than min_range_m"},
+        Edit{"Step", "step_deg: 0.9", "step_deg: 0", "step_deg is 0"},
+        Edit{"Quoted", "noise_m: 0.002", "noise_m: '0.002'", "depth.noise_m"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Rig, SonarAndDepthMayBeMissing) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  text.erase(text.find("sonar:"));
+  const Rig rig = ReadRig(ParseYaml(text, "small.yaml"));
+  EXPECT_FALSE(rig.HasSonar());
+  EXPECT_FALSE(rig.HasDepth());
+}
+
+TEST(Rig, OneAndThreeCamerasAreRefused) {
+  const std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto first = text.find("    - position_m");
+  const auto second = text.find("    - position_m", first + 1);
+  const auto end = text.find("\n# Microstrain");
+  const std::string camera = text.substr(second, end - second);
+  EXPECT_THROW(ReadRig(ParseYaml(text.substr(0, second) + text.substr(end), "one.yaml")),
+               InputError);
+  EXPECT_THROW(ReadRig(ParseYaml(text.substr(0, end) + camera + text.substr(end), "three.yaml")),
+               InputError);
+}
+
+}  // namespace
+}  // namespace drydock

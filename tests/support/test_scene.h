@@ -1,0 +1,22 @@
+// Small scenes with known geometry.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drydock::testing {
+
+/// Writes an MJCF file with the given elements inside <worldbody> and returns its path.
+std::filesystem::path WriteScene(const std::filesystem::path& folder, const std::string& worldbody);
+
+/// A square that faces along `normal`, white in the middle and fading to black at its edges: its
+/// image's centre of brightness is found to a few hundredths of a pixel.
+std::string MarkerElement(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
+                          double half_size);
+/// A white box on the body `name`, turned by yaw [degrees] about z.
+std::string BoxElement(const std::string& name, const Eigen::Vector3d& centre,
+                       const Eigen::Vector3d& half_size, double yaw_deg = 0.0);
+
+}  // namespace drydock::testing

@@ -1,0 +1,88 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scenarios/runner/run.h"
+#include "scenarios/scoring/metrics.h"
+#include "tools/drydock/commands.h"
+#include "tools/drydock/progress.h"
+
+namespace drydock::cli {
+namespace {
+
+struct Arguments {
+  std::string scenario;
+  std::optional<std::uint64_t> seed;
+  std::string estimator;
+  std::vector<std::string> overrides;
+  std::string renderer = "auto";
+  std::string output;
+  bool record = false;
+};
+
+void PrintScorecard(const score::Scorecard& card) {
+  fmt::print("{}: seed {}, {}, path {:.2f} m in {:.1f} s\n", card.run.scenario, card.run.seed,
+             card.run.estimator, card.path_length_m, card.duration_s);
+  for (const score::MetricInfo& metric : score::AllMetrics()) {
+    const std::optional<double>& value = card.metrics.*metric.value;
+    if (value) fmt::print("  {:<24} {:>10.4f} {}\n", metric.name, *value, metric.unit);
+  }
+  for (const score::CriterionResult& result : card.criteria) {
+    fmt::print("  {} {} {} {}\n", result.passed ? "met   " : "MISSED", result.criterion.metric,
+               score::DescribeBound(result.criterion), result.unit);
+  }
+}
+
+int RunScenario(const Arguments& arguments) {
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
+  if (!arguments.estimator.empty())
+    overrides.push_back(fmt::format("estimator.name={}", arguments.estimator));
+  const Scenario scenario = LoadScenario(arguments.scenario, overrides);
+  RunOptions options;
+  options.renderer = sim::ParseRendererBackend(arguments.renderer);
+  options.output = arguments.output.empty() ? "out/" + scenario.name : arguments.output;
+  options.record = arguments.record;
+  options.progress = ProgressOnTerminal();
+  const RunResult result = Run(scenario, options);
+  PrintScorecard(result.scorecard);
+  const RunTimings& timings = result.timings;
+  const double work = timings.sensors + timings.estimator + timings.recording;
+  fmt::print("{:.2f} x real time ({} renderer, {:.1f} s of set-up not counted)\n",
+             timings.simulated / work, result.scorecard.run.renderer, timings.setup);
+  fmt::print("results in {0}: scorecard.json, trajectory.png, frames.png\n",
+             options.output.string());
+  fmt::print("{}\n", result.scorecard.Passed() ? "PASSED" : "FAILED");
+  return result.scorecard.Passed() ? kPassed : kMissed;
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "run", "Simulate a scenario, estimate in the loop, score against the truth");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("scenario", arguments->scenario, "Scenario file (scenarios/bus.yaml)")
+      ->required();
+  command->add_option("--seed", arguments->seed,
+                      "Seed of noise, biases and sway, instead of the scenario's");
+  command->add_option("--estimator", arguments->estimator,
+                      "Estimator, instead of the scenario's (see drydock list)");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "key.path=value: overrides a key of the scenario; may be repeated")
+      ->take_all();
+  command->add_option("--renderer", arguments->renderer, "auto, egl or osmesa")
+      ->capture_default_str();
+  command->add_flag("--record", arguments->record,
+                    "Keep the measurements, as an EuRoC dataset, in DIR/dataset");
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the results, replaced if it is there [out/SCENARIO]");
+  command->callback(
+      [arguments, &chosen] { chosen = [arguments] { return RunScenario(*arguments); }; });
+}
+
+}  // namespace drydock::cli

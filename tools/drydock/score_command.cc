@@ -1,0 +1,62 @@
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "scenarios/dataset/tum.h"
+#include "scenarios/scoring/json.h"
+#include "scenarios/scoring/metrics.h"
+#include "scenarios/scoring/trajectory_score.h"
+#include "tools/drydock/commands.h"
+
+namespace drydock::cli {
+namespace {
+
+struct Arguments {
+  std::string truth;
+  std::string estimate;
+  std::string align = "se3";
+  bool interpolate = false;
+  bool json = false;
+};
+
+int ScoreFiles(const Arguments& arguments) {
+  score::AssociationOptions association;
+  if (arguments.interpolate) association.mode = score::AssociationMode::kInterpolate;
+  const score::TrajectoryScore result = score::ScoreTrajectories(
+      dataset::ReadTum(arguments.truth), dataset::ReadTum(arguments.estimate),
+      score::ParseAlignment(arguments.align), association);
+  if (arguments.json) {
+    fmt::print("{}", score::ToJson(result));
+    return kPassed;
+  }
+  fmt::print("{} pairs, aligned by {}, path {:.2f} m\n", result.association.pairs.size(),
+             arguments.align, result.path_length_m);
+  for (const score::MetricInfo& metric : score::AllMetrics()) {
+    const std::optional<double>& value = result.metrics.*metric.value;
+    if (value) fmt::print("  {:<24} {:>10.4f} {}\n", metric.name, *value, metric.unit);
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+void AddScoreCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command =
+      app.add_subcommand("score", "Score an estimated trajectory against the true one (TUM files)");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("truth", arguments->truth, "True trajectory, TUM format")->required();
+  command->add_option("estimate", arguments->estimate, "Estimated trajectory, TUM format")
+      ->required();
+  command->add_option("--align", arguments->align, "How the estimate is laid upon the truth")
+      ->check(CLI::IsMember({"none", "origin", "yaw", "se3", "sim3"}))
+      ->capture_default_str();
+  command->add_flag("--interpolate", arguments->interpolate,
+                    "Interpolate the truth at the estimate's times rather than take the nearest "
+                    "pose within 0.01 s");
+  command->add_flag("--json", arguments->json, "Everything as JSON");
+  command->callback(
+      [arguments, &chosen] { chosen = [arguments] { return ScoreFiles(*arguments); }; });
+}
+
+}  // namespace drydock::cli
