@@ -38,16 +38,4 @@ void ImageSensor::Expose(const cv::Mat& radiance, cv::Mat& image) const {
   }
 }
 
-void ImageSensor::ToMonochrome(const cv::Mat& rgb, cv::Mat& monochrome) {
-  // The quantum efficiency of a silicon sensor without colour filters, roughly.
-  constexpr float kRed = 0.30F, kGreen = 0.45F, kBlue = 0.25F;
-  monochrome.create(rgb.size(), CV_32FC1);
-  for (int v = 0; v < rgb.rows; ++v) {
-    const auto* in = rgb.ptr<cv::Vec3f>(v);
-    auto* out = monochrome.ptr<float>(v);
-    for (int u = 0; u < rgb.cols; ++u)
-      out[u] = kRed * in[u][0] + kGreen * in[u][1] + kBlue * in[u][2];
-  }
-}
-
 }  // namespace drydock::sim

@@ -27,9 +27,6 @@ class ImageSensor {
   /// input has channels.
   void Expose(const cv::Mat& radiance, cv::Mat& image) const;
 
-  /// What a monochrome sensor makes of red, green and blue light, CV_32FC1.
-  static void ToMonochrome(const cv::Mat& rgb, cv::Mat& monochrome);
-
  private:
   static constexpr int kCodes = 4096;
   float scale_;

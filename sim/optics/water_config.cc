@@ -23,4 +23,14 @@ Eigen::Array3d BeamAttenuation(const WaterConfig& water) {
   return of_type / of_type[1] * kLnFifty / water.visibility_m;
 }
 
+Eigen::Array3d DiffuseAttenuation(const WaterConfig& water) {
+  if (water.visibility_m == 0.0) return Eigen::Array3d::Zero();
+  return FindJerlovType(water.jerlov_type)->DiffuseAttenuation();
+}
+
+Eigen::Array3d ScatteringAlbedo(const WaterConfig& water) {
+  const JerlovType& type = *FindJerlovType(water.jerlov_type);
+  return type.scattering / type.BeamAttenuation();
+}
+
 }  // namespace drydock::sim

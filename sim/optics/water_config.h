@@ -17,7 +17,7 @@ struct WaterConfig {
   double surface_z_m = 6.0;  ///< Height of the water's surface, in W.
   /// Radiance of infinitely deep water, seen horizontally, as a share of what a white card that
   /// faces upwards sends out, per unit of scattering albedo b/c.
-  double veil = 0.3;
+  double veil = 0.15;
   double sun_share =
       0.45;  ///< Of the daylight that comes straight from the sun; the rest is diffuse.
   /// Where the sunlight comes from, under water.
@@ -28,7 +28,15 @@ struct WaterConfig {
 /// Reads the `water` mapping of a scenario.
 WaterConfig ReadWater(YamlReader& yaml);
 
-/// Beam attenuation per channel (red, green, blue) [1/m].
+/// Beam attenuation c per channel (red, green, blue) [1/m]; zero in perfectly clear water.
 Eigen::Array3d BeamAttenuation(const WaterConfig& water);
+
+/// How fast daylight fades with depth, Kd, per channel [1/m]: that of the water's type, whatever
+/// the visibility, since turbidity scatters light rather than swallowing it; zero in perfectly
+/// clear water.
+Eigen::Array3d DiffuseAttenuation(const WaterConfig& water);
+
+/// b/c per channel: the share of the light lost from a beam that is scattered rather than absorbed.
+Eigen::Array3d ScatteringAlbedo(const WaterConfig& water);
 
 }  // namespace drydock::sim

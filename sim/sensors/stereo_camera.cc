@@ -9,7 +9,7 @@ StereoCamera::StereoCamera(const Motion& motion, World& world, const StereoSheet
                            bool depth_images, RendererBackend backend)
     : motion_(motion),
       sheet_(sheet),
-      color_(image.color),
+      channels_(image.color ? ImageChannels::kColor : ImageChannels::kMonochrome),
       depth_images_(depth_images),
       eyes_{Eye(sheet.cameras[0], water), Eye(sheet.cameras[1], water)},
       image_sensor_(image) {
@@ -39,9 +39,8 @@ StereoFrame StereoCamera::Look(const Pose& T_WI, StereoTruth* truth) {
 cv::Mat StereoCamera::LookWith(std::size_t eye, const Pose& T_WC, cv::Mat* depth) {
   const Lens& lens = eyes_[eye].lens;
   renderer_->Render(T_WC, lens.source(), raw_);
-  eyes_[eye].optics.Apply(raw_, T_WC, radiance_);
-  if (!color_) ImageSensor::ToMonochrome(radiance_, monochrome_);
-  lens.ApplySmooth(color_ ? radiance_ : monochrome_, through_lens_);
+  eyes_[eye].optics.Apply(raw_, T_WC, channels_, radiance_);
+  lens.ApplySmooth(radiance_, through_lens_);
   cv::Mat image;
   image_sensor_.Expose(through_lens_, image);
   if (depth != nullptr) lens.ApplyNearest(raw_.depth, *depth);

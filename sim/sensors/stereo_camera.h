@@ -42,15 +42,14 @@ class StereoCamera final : public Sensor {
 
   const Motion& motion_;
   StereoSheet sheet_;
-  bool color_;
+  ImageChannels channels_;
   bool depth_images_;
   std::array<Eye, 2> eyes_;
   ImageSensor image_sensor_;
   std::unique_ptr<Renderer> renderer_;
   std::int64_t next_ = 0;
-  RawImage raw_;  ///< Reused from frame to frame, as are the next three.
+  RawImage raw_;  ///< Reused from frame to frame, as are the next two.
   cv::Mat radiance_;
-  cv::Mat monochrome_;
   cv::Mat through_lens_;
 };
 

@@ -1,0 +1,115 @@
+// The camera, stage by stage, on poses along the bus dive: one left image an iteration.
+#include <memory>
+
+#include <benchmark/benchmark.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "sim/optics/image_sensor.h"
+#include "sim/optics/underwater_optics.h"
+#include "sim/render/lens.h"
+#include "sim/render/renderer.h"
+#include "tests/benchmark/bench_dive.h"
+
+namespace drydock::benchmark {
+namespace {
+
+constexpr int kPoses = 24;
+
+/// Everything up to a stage, prepared once for all benchmarks of the process (MuJoCo allows one
+/// OpenGL context).
+class Stages {
+ public:
+  Stages()
+      : lens(dive.rig.stereo.cameras[0]),
+        optics(dive.scenario.water, lens.source()),
+        renderer(dive.world, sim::RendererBackend::kAuto, lens.source().width,
+                 lens.source().height) {
+    for (const Pose& T_WI : dive.Poses(kPoses)) {
+      poses.push_back(T_WI * dive.rig.stereo.T_IC[0]);
+      renderer.Render(poses.back(), lens.source(), raw.emplace_back());
+      optics.Apply(raw.back(), poses.back(), sim::ImageChannels::kMonochrome,
+                   radiance.emplace_back());
+      lens.ApplySmooth(radiance.back(), through_lens.emplace_back());
+      sensor.Expose(through_lens.back(), images.emplace_back());
+    }
+  }
+
+  BenchDive dive;
+  sim::Lens lens;
+  sim::UnderwaterOptics optics;
+  sim::Renderer renderer;
+  sim::ImageSensor sensor{sim::ImageSensorConfig{}};
+  std::vector<Pose> poses;
+  std::vector<sim::RawImage> raw;
+  std::vector<cv::Mat> radiance;
+  std::vector<cv::Mat> through_lens;
+  std::vector<cv::Mat> images;
+};
+
+Stages& SharedStages() {
+  static Stages stages;
+  return stages;
+}
+
+/// Runs `work(i)` over the poses in turn.
+template <typename Work>
+void Loop(::benchmark::State& state, Work work) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    work(i);
+    i = (i + 1) % kPoses;
+  }
+}
+
+void Render(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  sim::RawImage raw;
+  Loop(state,
+       [&](std::size_t i) { stages.renderer.Render(stages.poses[i], stages.lens.source(), raw); });
+}
+
+void Optics(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  cv::Mat radiance;
+  Loop(state, [&](std::size_t i) {
+    stages.optics.Apply(stages.raw[i], stages.poses[i], sim::ImageChannels::kMonochrome, radiance);
+  });
+}
+
+void OpticsColor(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  cv::Mat radiance;
+  Loop(state, [&](std::size_t i) {
+    stages.optics.Apply(stages.raw[i], stages.poses[i], sim::ImageChannels::kColor, radiance);
+  });
+}
+
+void LensResampling(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  cv::Mat out;
+  Loop(state, [&](std::size_t i) { stages.lens.ApplySmooth(stages.radiance[i], out); });
+}
+
+void Exposure(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  cv::Mat out;
+  Loop(state, [&](std::size_t i) { stages.sensor.Expose(stages.through_lens[i], out); });
+}
+
+void WritePng(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  std::vector<unsigned char> bytes;
+  Loop(state, [&](std::size_t i) {
+    cv::imencode(".png", stages.images[i], bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  });
+}
+
+BENCHMARK(Render)->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(Optics)->Unit(::benchmark::kMillisecond);
+BENCHMARK(OpticsColor)->Unit(::benchmark::kMillisecond);
+BENCHMARK(LensResampling)->Unit(::benchmark::kMillisecond);
+BENCHMARK(Exposure)->Unit(::benchmark::kMillisecond);
+BENCHMARK(WritePng)->Unit(::benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace drydock::benchmark

@@ -1,0 +1,121 @@
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "scenes/texture/canvas.h"
+#include "scenes/texture/noise_field.h"
+#include "scenes/texture/stamps.h"
+#include "scenes/texture/weathering.h"
+#include "sensors_models/base/check.h"
+
+namespace drydock::scenes {
+namespace {
+
+bool SameBytes(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0.0;
+}
+
+TEST(NoiseField, IsAboutStandardNormal) {
+  for (const double gain : {0.5, 0.8}) {
+    const cv::Mat1f field = NoiseField({1024, 1024}, {32, 4, gain, 1.0, false}, 3);
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(field, mean, deviation);
+    EXPECT_NEAR(mean[0], 0.0, 0.1);
+    EXPECT_NEAR(deviation[0], 1.0, 0.12);
+  }
+}
+
+TEST(NoiseField, IsTheSameAtAnyNumberOfThreads) {
+  const NoiseShape shape{40, 3, 0.6, 2.0, false};
+  const cv::Mat1f parallel = NoiseField({300, 200}, shape, 9);
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  const cv::Mat1f serial = NoiseField({300, 200}, shape, 9);
+  cv::setNumThreads(threads);
+  EXPECT_TRUE(SameBytes(parallel, serial));
+  EXPECT_FALSE(SameBytes(parallel, NoiseField({300, 200}, shape, 10)));
+}
+
+TEST(NoiseField, WrapsWithoutASeam) {
+  const cv::Mat1f field = NoiseField({256, 256}, {64, 16, 0.6, 1.0, true}, 4);
+  double inside = 0.0;
+  double across = 0.0;
+  for (int i = 0; i < 256; ++i) {
+    inside = std::max<double>(inside, std::abs(field(i, 100) - field(i, 101)));
+    across = std::max<double>(across, std::abs(field(i, 255) - field(i, 0)));
+    across = std::max<double>(across, std::abs(field(255, i) - field(0, i)));
+  }
+  EXPECT_LT(across, 2.0 * inside);
+}
+
+TEST(NoiseField, CoverageIsTheFractionAskedFor) {
+  const cv::Mat1f field = NoiseField({1024, 1024}, {24, 3, 0.6, 1.0, false}, 8);
+  for (const double fraction : {0.05, 0.2, 0.5}) {
+    const cv::Mat1b mask = Coverage(field, fraction, 0.02);
+    EXPECT_NEAR(cv::mean(mask)[0] / 255.0, fraction, 0.03);
+  }
+}
+
+TEST(Canvas, BlendReachesTheColour) {
+  Canvas canvas(0.1, 0.1, 200, Rgb(10, 20, 30));
+  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
+  canvas.Blend(everywhere, Rgb(200, 100, 50));
+  EXPECT_EQ(canvas.image()(5, 5), Rgb(200, 100, 50));
+  canvas.Blend(canvas.Mask(), Rgb(0, 0, 0));
+  EXPECT_EQ(canvas.image()(5, 5), Rgb(200, 100, 50));
+}
+
+TEST(Canvas, TextLeavesItsMarkWhereItShould) {
+  Canvas canvas(1.0, 0.5, 200, Rgb(255, 255, 255));
+  DrawText(canvas, "BUS", 0.5, 0.25, 0.2, 0.2, Rgb(0, 0, 0));
+  const cv::Rect middle(50, 30, 100, 40);
+  EXPECT_LT(cv::mean(canvas.image()(middle))[0], 200.0);
+  EXPECT_EQ(cv::mean(canvas.image().rowRange(0, 10))[0], 255.0);
+}
+
+/// Mean absolute gradient of an image shrunk by `factor`: the contrast that is left at that scale.
+double ContrastAt(const cv::Mat3b& image, int factor) {
+  cv::Mat1b grey;
+  cv::cvtColor(image, grey, cv::COLOR_RGB2GRAY);
+  cv::Mat1b small;
+  cv::resize(grey, small, {grey.cols / factor, grey.rows / factor}, 0, 0, cv::INTER_AREA);
+  cv::Mat1f x;
+  cv::Mat1f y;
+  cv::Sobel(small, x, CV_32F, 1, 0, 3, 0.125);
+  cv::Sobel(small, y, CV_32F, 0, 1, 3, 0.125);
+  return cv::mean(cv::abs(x) + cv::abs(y))[0];
+}
+
+TEST(Weathering, HasContrastAtEveryScale) {
+  Canvas canvas(2.0, 1.0, 500, Rgb(206, 153, 42));
+  Age(canvas, Weathering(), cv::Mat1b(), NoiseKeys(1, "test"));
+  for (const int factor : {1, 2, 4, 8, 16, 32}) {  // 2 mm ... 64 mm a pixel
+    EXPECT_GT(ContrastAt(canvas.image(), factor), 2.5) << "at 1/" << factor;
+  }
+}
+
+TEST(Weathering, IsDeterministic) {
+  const auto paint = [](std::uint64_t seed) {
+    Canvas canvas(0.5, 0.5, 400, Rgb(206, 153, 42));
+    Age(canvas, Weathering(), cv::Mat1b(), NoiseKeys(seed, "test"));
+    return canvas.image();
+  };
+  EXPECT_TRUE(SameBytes(paint(1), paint(1)));
+  EXPECT_FALSE(SameBytes(paint(1), paint(2)));
+}
+
+TEST(WritePng, ErrorNamesTheFile) {
+  try {
+    WritePng(cv::Mat3b(2, 2), "/nowhere/at/all.png");
+    FAIL() << "wrote into nowhere";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("all.png"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace drydock::scenes

@@ -1,0 +1,83 @@
+#include "sensors_models/models/camera_model.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/calib3d.hpp>
+
+#include "sensors_models/base/random_stream.h"
+
+namespace drydock {
+namespace {
+
+CameraIntrinsics Camera(const std::array<double, 4>& distortion) {
+  CameraIntrinsics camera;
+  camera.width = 800;
+  camera.height = 600;
+  camera.fx = 575.3;
+  camera.fy = 574.6;
+  camera.cx = 399.4;
+  camera.cy = 288.3;
+  camera.distortion = distortion;
+  return camera;
+}
+
+const std::array<double, 4> kSome = {-0.16, 0.102, 0.0013, -0.0021};
+
+TEST(CameraModel, ProjectsAsOpenCvDoes) {
+  RandomStream random(1, "camera");
+  for (const auto& distortion : {kSome, std::array<double, 4>{}}) {
+    const CameraIntrinsics camera = Camera(distortion);
+    const CameraModel model(camera);
+    const cv::Matx33d K(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+    std::vector<cv::Point3d> points;
+    for (int i = 0; i < 500; ++i) {
+      const double z = random.Uniform(0.3, 20.0);
+      const double x = random.Uniform(-0.7, 0.7) * z;
+      const double y = random.Uniform(-0.5, 0.5) * z;
+      points.emplace_back(x, y, z);
+    }
+    std::vector<cv::Point2d> pixels;
+    cv::projectPoints(points, cv::Vec3d(), cv::Vec3d(), K,
+                      cv::Vec4d(distortion[0], distortion[1], distortion[2], distortion[3]),
+                      pixels);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto pixel = model.Project({points[i].x, points[i].y, points[i].z});
+      ASSERT_TRUE(pixel);
+      EXPECT_NEAR(pixel->x(), pixels[i].x, 1e-9);
+      EXPECT_NEAR(pixel->y(), pixels[i].y, 1e-9);
+    }
+  }
+}
+
+TEST(CameraModel, UnprojectInvertsProject) {
+  const CameraModel model(Camera(kSome));
+  for (int v = -20; v <= 620; v += 40) {
+    for (int u = -20; u <= 820; u += 40) {
+      const auto point = model.Unproject({u, v});
+      ASSERT_TRUE(point);
+      const auto pixel = model.Project({3.0 * point->x(), 3.0 * point->y(), 3.0});
+      ASSERT_TRUE(pixel);
+      EXPECT_LT((*pixel - Eigen::Vector2d(u, v)).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(CameraModel, BehindTheCameraIsNoPixel) {
+  const CameraModel model(Camera(kSome));
+  EXPECT_FALSE(model.Project({0.1, 0.1, 0.0}));
+  EXPECT_FALSE(model.Project({0.1, 0.1, -1.0}));
+}
+
+TEST(CameraModel, BeyondTheFoldThereIsNoRay) {
+  // With k1 alone the distorted radius has a maximum of 0.96 at r = 1.44.
+  EXPECT_FALSE(CameraModel(Camera({-0.16, 0.0, 0.0, 0.0})).Unproject({399.4 + 1.0 * 575.3, 288.3}));
+}
+
+TEST(CameraModel, TheImageEndsHalfAPixelOutside) {
+  const CameraModel model(Camera(kSome));
+  EXPECT_TRUE(model.IsInside({-0.5, 599.5}));
+  EXPECT_FALSE(model.IsInside({-0.6, 300.0}));
+  EXPECT_FALSE(model.IsInside({300.0, 599.6}));
+}
+
+}  // namespace
+}  // namespace drydock

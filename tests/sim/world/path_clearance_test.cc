@@ -1,0 +1,40 @@
+#include "sim/world/path_clearance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sensors_models/base/check.h"
+#include "sim/motion/spline_motion.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_scene.h"
+
+namespace drydock::sim {
+namespace {
+
+MotionConfig Straight() {
+  MotionConfig config;
+  for (const double x : {0.0, 2.0, 4.0, 6.0}) {
+    Waypoint waypoint;
+    waypoint.position = {x, 0.0, 0.0};
+    config.waypoints.push_back(waypoint);
+  }
+  return config;
+}
+
+TEST(PathClearance, PassesBesideButNotThrough) {
+  const testing::TemporaryFolder folder;
+  const World world(testing::WriteScene(
+      folder.path(), testing::BoxElement("post", {3.0, 0.6, 0.0}, {0.1, 0.1, 1.0})));
+  const RayScene rays(world);
+  const SplineMotion motion(Straight(), 1);
+  EXPECT_NO_THROW(RequireClearPath(motion, world, rays, 0.45));
+  try {
+    RequireClearPath(motion, world, rays, 0.55);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("'post'"));
+  }
+}
+
+}  // namespace
+}  // namespace drydock::sim
