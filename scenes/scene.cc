@@ -1,10 +1,10 @@
 #include "scenes/scene.h"
 
+#include <algorithm>
+
 #include "scenes/bus/bus_scene.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
-
-#include <algorithm>
 
 namespace drydock::scenes {
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ fs::path PrepareScene(const std::vector<SceneEntry>& scenes, const std::string& 
   RequireInput(entry != scenes.end(), "no scene \"{}\"; there are: {}", name, known);
   const fs::path folder =
       cache / "scenes" / fmt::format("{}-v{}-{}", entry->name, entry->version, seed);
-  const fs::path scene = folder / "scene.xml";
+  fs::path scene = folder / "scene.xml";
   if (fs::is_regular_file(scene)) return scene;
   AtomicDirectory directory(folder);
   entry->generate(seed, directory.path());

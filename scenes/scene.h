@@ -20,8 +20,8 @@ struct SceneEntry {
 /// Every scene there is. A new one is a folder and a line here.
 std::vector<SceneEntry> Scenes();
 
-/// The MJCF file of scene `name`, generated into `cache`/scenes/ unless it is there already. The same
-/// seed gives the same files. InputError if there is no such scene, naming those there are.
+/// The MJCF file of scene `name`, generated into `cache`/scenes/ unless it is there already. The
+/// same seed gives the same files. InputError if there is no such scene, naming those there are.
 std::filesystem::path PrepareScene(const std::string& name, std::uint64_t seed,
                                    const std::filesystem::path& cache);
 /// The same from a table of one's own.

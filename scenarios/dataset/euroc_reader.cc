@@ -56,6 +56,19 @@ std::map<Time, std::string> ReadImageNames(const fs::path& folder) {
   return names;
 }
 
+cv::Mat LoadImage(const fs::path& path) {
+  const std::string bytes = ReadFile(path);
+  cv::Mat image;
+  try {
+    const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
+    if (!buffer.empty()) image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  RequireInput(!image.empty(), "{}: an image that cannot be read", path.string());
+  return image;
+}
+
 }  // namespace
 
 EurocReader::EurocReader(const fs::path& folder, const Warn& warn) : mav0_(FindRoot(folder)) {
@@ -162,13 +175,8 @@ StereoFrame EurocReader::Load(const FrameFiles& files) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const fs::path path = mav0_ / kCameraFolders[i] / kDataFolder / files.names[i];
     const CameraIntrinsics& camera = rig_.stereo.cameras[i];
-    try {
-      frame.images[i] = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
-    } catch (const cv::Exception&) {
-      frame.images[i].release();
-    }
+    frame.images[i] = LoadImage(path);
     const cv::Mat& image = frame.images[i];
-    RequireInput(!image.empty(), "{}: no such image, or one that cannot be read", path.string());
     RequireInput(image.type() == CV_8UC1 || image.type() == CV_8UC3,
                  "{}: must be an 8-bit grey or colour image", path.string());
     RequireInput(image.cols == camera.width && image.rows == camera.height,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "scenarios/dataset/euroc_layout.h"
@@ -16,10 +16,12 @@ namespace {
 
 constexpr Bounds kRate{0.01, 10'000.0};
 constexpr Bounds kNoise{0.0, 1e3};
-/// For recordings that do not say how large an IMU's first bias may be.
+/// For recordings that do not say how large an IMU's first bias may be, or how the sonar turns.
 constexpr double kGyroTurnOnBias = 0.03;   ///< [rad/s]
 constexpr double kAccelTurnOnBias = 0.1;   ///< [m/s^2]
-constexpr double kSameRig = 1e-6;
+constexpr double kHeadStep = 0.9 * std::numbers::pi / 180.0;  ///< [rad]
+constexpr double kSameRig = 1e-6;    ///< Relative difference of two values that are the same.
+constexpr double kRounding = 1e-12;  ///< Of values that ought to be zero.
 
 /// OpenCV begins its files with a directive that is no YAML; the line is kept for the numbering.
 std::string WithoutDirective(std::string text) {
@@ -124,7 +126,7 @@ void ReadSonar(const fs::path& mav0, const Warn& warn, SonarSheet& sonar) {
     sonar.max_range_m = yaml.Real("max_range", {0.01, 1e3});
     if (sonar.max_range_m <= sonar.min_range_m) yaml.Fail("max_range", "more than min_range");
     sonar.range_noise_m = yaml.Real("range_resolution", kNoise);
-    sonar.step_rad = yaml.Real("head_step", {1e-4, 3.2}, 0.9 * M_PI / 180.0);
+    sonar.step_rad = yaml.Real("head_step", {1e-4, 3.2}, kHeadStep);
   });
 }
 
@@ -199,9 +201,8 @@ void RequireSame(const Rig& ours, const Rig& sheets, const fs::path& mav0) {
   const std::vector<Numbers> b = NumbersOf(sheets);
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t k = 0; k < a[i].values.size(); ++k) {
-      const double scale = std::max(std::abs(a[i].values[k]), std::abs(b[i].values[k]));
-      const double allowed = kSameRig * (scale > 1.0 ? scale : 1.0) * (scale < 1e-2 ? scale : 1.0);
-      RequireInput(std::abs(a[i].values[k] - b[i].values[k]) <= allowed || scale < 1e-12,
+      const double allowed = kRounding + kSameRig * std::abs(a[i].values[k]);
+      RequireInput(std::abs(a[i].values[k] - b[i].values[k]) <= allowed,
                    "{}: does not say the same of {} as {}: change both, or remove {} to go by the "
                    "sensor.yaml files",
                    (mav0 / kRigFile).string(), a[i].sensor,

@@ -45,7 +45,8 @@ std::vector<double> Ticks(Range range, int wanted) {
   for (double k = first; k * step <= range.high + 1e-9 * step; ++k) {
     ticks.push_back(k == 0.0 ? 0.0 : k * step);
   }
-  return ticks;
+  // One tick alone does not tell the scale.
+  return ticks.size() < 2 ? Ticks(range, 2 * wanted) : ticks;
 }
 
 std::vector<std::string> TickLabels(const std::vector<double>& ticks) {

@@ -118,7 +118,7 @@ std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& 
 
 }  // namespace
 
-RunResult Run(const Scenario& scenario, const RunOptions& options) {
+RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   RunResult result;
   RunTimings& timings = result.timings;
   AtomicDirectory output(options.output);
@@ -165,7 +165,7 @@ RunResult Run(const Scenario& scenario, const RunOptions& options) {
   return result;
 }
 
-RunTimings Simulate(const Scenario& scenario, const RunOptions& options) {
+RunTimings RecordScenario(const Scenario& scenario, const RunOptions& options) {
   RunTimings timings;
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
   DiveRecorder recorder(*dive, options.output);

@@ -37,9 +37,9 @@ struct RunResult {
 /// Runs `scenario` in lock step and writes scorecard.json, timings.json, manifest.json, truth.tum,
 /// odometry.tum, trajectory.tum, loops.csv, events.log, trajectory.png and frames.png to the output
 /// folder. InputError if it cannot run.
-RunResult Run(const Scenario& scenario, const RunOptions& options);
+RunResult RunScenario(const Scenario& scenario, const RunOptions& options);
 
 /// Simulates and records only. `output` appears when the recording is complete.
-RunTimings Simulate(const Scenario& scenario, const RunOptions& options);
+RunTimings RecordScenario(const Scenario& scenario, const RunOptions& options);
 
 }  // namespace drydock

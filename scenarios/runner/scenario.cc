@@ -1,7 +1,13 @@
 #include "scenarios/runner/scenario.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "estimator/registry/registry.h"
 #include "scenarios/runner/scenario_yaml.h"
+#include "scenes/scene.h"
 #include "sensors_models/base/yaml_reader.h"
 
 namespace drydock {
@@ -12,6 +18,10 @@ constexpr Bounds kSeed{0, 1e15};
 SceneChoice ReadScene(YamlReader& yaml) {
   SceneChoice scene;
   scene.name = yaml.Text("name");
+  std::vector<std::string> known;
+  for (const scenes::SceneEntry& entry : scenes::Scenes()) known.push_back(entry.name);
+  if (std::find(known.begin(), known.end(), scene.name) == known.end())
+    yaml.Fail("name", fmt::format("one of {}", fmt::join(known, ", ")));
   scene.seed = static_cast<std::uint64_t>(yaml.Integer("seed", kSeed, 1));
   return scene;
 }

@@ -1,17 +1,17 @@
 // The body's shell.
-#include "scenes/bus/bus_shape.h"
-#include "scenes/bus/parts.h"
-#include "scenes/mesh/lattice_noise.h"
-#include "scenes/mesh/shapes.h"
-#include "sensors_models/base/random_stream.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "scenes/bus/bus_shape.h"
+#include "scenes/bus/parts.h"
+#include "scenes/mesh/lattice_noise.h"
+#include "scenes/mesh/shapes.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -19,7 +19,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kChunks = 3;
-const double kSideLength = kSideFront - kSideRear;
 
 std::string SideName(Side side) { return side == Side::kLeft ? "left" : "right"; }
 
@@ -34,8 +33,7 @@ double Dent(const Vector3d& p, std::uint64_t key) {
 /// A point of the left wall; `inset` from the outside.
 Vector3d SidePoint(double x, double v, double inset, std::uint64_t key) {
   const double bottom = SkirtBottom(x);
-  const double z =
-      v >= kRail ? v : bottom + (v - kSkirt) / (kRail - kSkirt) * (kRail - bottom);
+  const double z = v >= kRail ? v : bottom + (v - kSkirt) / (kRail - kSkirt) * (kRail - bottom);
   // The front end leans with the windscreen.
   const double end = FrontX(kHalfWidth, z) - kSideFront;
   const double lean = end * std::clamp((x - 9.6) / (kSideFront - 9.6), 0.0, 1.0);
@@ -92,7 +90,8 @@ void AddRoof(SceneModel& model, bool ceiling) {
   const double rise = ceiling ? kCeilingRise : kRoofRise;
   const int cells = static_cast<int>(RoofLines().size()) - 1;
   std::vector<Vector3d> section;
-  for (const double y : RoofLines()) section.emplace_back(0.0, y * half_width, rise * RoofFraction(y));
+  for (const double y : RoofLines())
+    section.emplace_back(0.0, y * half_width, rise * RoofFraction(y));
   const std::vector<double> arc = ArcFractions(section);
   for (int chunk = 0; chunk < kChunks; ++chunk) {
     Mesh mesh = GridSheet(8, cells, [&](double s, double t) -> SurfacePoint {
@@ -132,10 +131,10 @@ double EndHeight(double y, double v) {
 
 void AddRear(SceneModel& model) {
   SlabPlan plan;
-  plan.u_lines = EndLines({-kHalfWidth, kHalfWidth, -kBackDoorHalfWidth, kBackDoorHalfWidth, -0.98,
-                           -0.66, 0.66, 0.98});
-  plan.v_lines =
-      WithSteps({kSkirt, kFloor, kSill, 0.72, kHead, kBackDoorTop, kEave + kRoofRise * kEndRise}, 0.4);
+  plan.u_lines = EndLines(
+      {-kHalfWidth, kHalfWidth, -kBackDoorHalfWidth, kBackDoorHalfWidth, -0.98, -0.66, 0.66, 0.98});
+  plan.v_lines = WithSteps(
+      {kSkirt, kFloor, kSill, 0.72, kHead, kBackDoorTop, kEave + kRoofRise * kEndRise}, 0.4);
   plan.is_hole = [&plan](int i, int j) {
     const double y = std::abs(0.5 * (plan.u_lines[i] + plan.u_lines[i + 1]));
     const double z = 0.5 * (plan.v_lines[j] + plan.v_lines[j + 1]);
@@ -158,7 +157,8 @@ void AddRear(SceneModel& model) {
 void AddFront(SceneModel& model) {
   SlabPlan plan;
   plan.u_lines = EndLines({-kHalfWidth, kHalfWidth, -kScreenHalfWidth, kScreenHalfWidth});
-  plan.v_lines = WithSteps({kSkirt, kScreenFoot, kHead, kScreenTop, kEave + kRoofRise * kEndRise}, 0.4);
+  plan.v_lines =
+      WithSteps({kSkirt, kScreenFoot, kHead, kScreenTop, kEave + kRoofRise * kEndRise}, 0.4);
   plan.is_hole = [&plan](int i, int j) {
     const double y = std::abs(0.5 * (plan.u_lines[i] + plan.u_lines[i + 1]));
     const double z = 0.5 * (plan.v_lines[j] + plan.v_lines[j + 1]);

@@ -12,6 +12,25 @@ constexpr double kRoofPower = 2.5;  // superellipse: between an arc and a box
 
 bool Between(double x, double low, double high) { return low < x && x < high; }
 
+std::vector<double> MakeRoofLines() {
+  std::vector<double> lines;
+  for (int k = 0; k <= kRoofCells; ++k) {
+    const double c = -std::cos(std::numbers::pi * k / kRoofCells);
+    lines.push_back(std::copysign(std::pow(std::abs(c), 2.0 / kRoofPower), c));
+  }
+  lines[kRoofCells / 2] = 0.0;
+  return lines;
+}
+
+double ExactRoofFraction(double y) {
+  return std::pow(std::max(0.0, 1.0 - std::pow(std::abs(y), kRoofPower)), 1.0 / kRoofPower);
+}
+
+double CornerInset(double y) {
+  const double over = std::clamp((std::abs(y) - (kHalfWidth - kCorner)) / kCorner, 0.0, 1.0);
+  return kCorner * (1.0 - std::sqrt(1.0 - over * over));
+}
+
 }  // namespace
 
 bool IsSideOpening(Side side, double x, double z) {
@@ -31,20 +50,6 @@ double SkirtBottom(double x) {
   const double d = x - kRearAxle;
   const double under = kArchRadius * kArchRadius - d * d;
   return under <= 0 ? kSkirt : std::max(kSkirt, kAxleHeight + std::sqrt(under));
-}
-
-std::vector<double> MakeRoofLines() {
-  std::vector<double> lines;
-  for (int k = 0; k <= kRoofCells; ++k) {
-    const double c = -std::cos(std::numbers::pi * k / kRoofCells);
-    lines.push_back(std::copysign(std::pow(std::abs(c), 2.0 / kRoofPower), c));
-  }
-  lines[kRoofCells / 2] = 0.0;
-  return lines;
-}
-
-double ExactRoofFraction(double y) {
-  return std::pow(std::max(0.0, 1.0 - std::pow(std::abs(y), kRoofPower)), 1.0 / kRoofPower);
 }
 
 const std::vector<double>& RoofLines() {
@@ -67,11 +72,6 @@ double RoofFraction(double y) {
 double EndFactor(double distance) {
   const double d = std::clamp(distance / 0.5, 0.0, 1.0);
   return kEndRise + (1.0 - kEndRise) * std::sqrt(1.0 - (1.0 - d) * (1.0 - d));
-}
-
-double CornerInset(double y) {
-  const double over = std::clamp((std::abs(y) - (kHalfWidth - kCorner)) / kCorner, 0.0, 1.0);
-  return kCorner * (1.0 - std::sqrt(1.0 - over * over));
 }
 
 double RearX(double y) { return kRear + CornerInset(y); }

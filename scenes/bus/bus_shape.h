@@ -2,33 +2,32 @@
 // centreline to its left, z up; the bus stands at kBusY in the world. All lengths in metres.
 #pragma once
 
-#include "scenes/mesh/slab.h"
-
 #include <Eigen/Geometry>
-
 #include <vector>
+
+#include "scenes/mesh/slab.h"
 
 namespace drydock::scenes::bus {
 
 inline constexpr double kBusY = -3.2;  ///< the centreline, in the world
 
-inline constexpr double kRear = 1.5;         ///< rear face
-inline constexpr double kFront = 10.36;      ///< front face above the eaves
-inline constexpr double kFrontLean = 0.14;   ///< the windscreen's foot is this much further on
-inline constexpr double kCorner = 0.15;      ///< radius of the body's upright corners
+inline constexpr double kRear = 1.5;        ///< rear face
+inline constexpr double kFront = 10.36;     ///< front face above the eaves
+inline constexpr double kFrontLean = 0.14;  ///< the windscreen's foot is this much further on
+inline constexpr double kCorner = 0.15;     ///< radius of the body's upright corners
 inline constexpr double kSideRear = kRear + kCorner;
 inline constexpr double kSideFront = kFront - kCorner;
 inline constexpr double kHalfWidth = 1.2;
 inline constexpr double kWall = 0.07;
-inline constexpr double kSkirt = -1.1;       ///< lower rim of the body
+inline constexpr double kSkirt = -1.1;  ///< lower rim of the body
 inline constexpr double kFloor = -0.6;
-inline constexpr double kRail = -0.45;       ///< the lowest rub rail
-inline constexpr double kSill = 0.17;        ///< of the windows
-inline constexpr double kHead = 0.83;        ///< of the windows
-inline constexpr double kEave = 0.98;        ///< here the side turns into the roof
+inline constexpr double kRail = -0.45;  ///< the lowest rub rail
+inline constexpr double kSill = 0.17;   ///< of the windows
+inline constexpr double kHead = 0.83;   ///< of the windows
+inline constexpr double kEave = 0.98;   ///< here the side turns into the roof
 inline constexpr double kRoofRise = 0.47;
 inline constexpr double kCeilingRise = 0.38;
-inline constexpr double kEndRise = 0.70;     ///< the roof's rise at both ends, relative to the middle
+inline constexpr double kEndRise = 0.70;  ///< the roof's rise at both ends, relative to the middle
 
 inline constexpr double kWindowFirst = 1.95;  ///< rear edge of the first window
 inline constexpr double kWindowPitch = 0.70;
@@ -56,7 +55,8 @@ bool IsSideOpening(Side side, double x, double z);
 /// Lower rim of a side wall, with the rear wheel's arch.
 double SkirtBottom(double x);
 
-/// Lines across the roof, from the right eave (-1) to the left one (1), as fractions of the half width.
+/// Lines across the roof, from the right eave (-1) to the left one (1), as fractions of the half
+/// width.
 const std::vector<double>& RoofLines();
 /// Height of the roof (or the ceiling) over the eave as a fraction of its rise, at y / half width.
 double RoofFraction(double y_fraction);
@@ -70,13 +70,13 @@ double FrontX(double y, double z);
 struct Canvas2d {
   double left, top, width, height;
 };
-inline constexpr Canvas2d kSideCanvas{1.45, 1.05, 9.0, 2.2};     // x, z
-inline constexpr Canvas2d kEndCanvas{-1.3, 1.4, 2.6, 2.6};       // y, z
-inline constexpr Canvas2d kRoofCanvas{1.45, -1.45, 9.1, 2.9};    // x, arc from the right eave
-inline constexpr Canvas2d kInsideCanvas{1.45, 1.02, 9.1, 1.7};   // x, z
-inline constexpr Canvas2d kFloorCanvas{1.45, -1.2, 9.1, 2.4};    // x, y
-inline constexpr Canvas2d kHoodCanvas{0.0, 0.0, 3.3, 3.1};       // unrolled: hood, then fenders
-inline constexpr Canvas2d kDoorCanvas{0.0, 0.0, 2.4, 1.85};      // outside, then inside
+inline constexpr Canvas2d kSideCanvas{1.45, 1.05, 9.0, 2.2};    // x, z
+inline constexpr Canvas2d kEndCanvas{-1.3, 1.4, 2.6, 2.6};      // y, z
+inline constexpr Canvas2d kRoofCanvas{1.45, -1.45, 9.1, 2.9};   // x, arc from the right eave
+inline constexpr Canvas2d kInsideCanvas{1.45, 1.02, 9.1, 1.7};  // x, z
+inline constexpr Canvas2d kFloorCanvas{1.45, -1.2, 9.1, 2.4};   // x, y
+inline constexpr Canvas2d kHoodCanvas{0.0, 0.0, 3.3, 3.1};      // unrolled: hood, then fenders
+inline constexpr Canvas2d kDoorCanvas{0.0, 0.0, 2.4, 1.85};     // outside, then inside
 
 /// Texture coordinates by the canvases above, right way round for whoever looks at the outside.
 Eigen::Vector2d SideUv(Side side, const Eigen::Vector3d& p);

@@ -1,12 +1,5 @@
 #include "scenes/bus/clutter.h"
 
-#include "scenes/bus/bus_shape.h"
-#include "scenes/bus/debris.h"
-#include "scenes/mesh/shapes.h"
-#include "sensors_models/base/random_stream.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,6 +7,13 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "scenes/bus/bus_shape.h"
+#include "scenes/bus/debris.h"
+#include "scenes/mesh/shapes.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -52,7 +52,8 @@ class Placer {
   double BedHeight(double x, double y) const { return bed_.Height(x, y); }
 
   void Put(const std::string& name, Object object, const Pose& pose) {
-    PlaceObject(object, {pose.x, pose.y, bed_.Height(pose.x, pose.y) - pose.sunk}, pose.yaw, pose.tip_x, pose.tip_y);
+    PlaceObject(object, {pose.x, pose.y, bed_.Height(pose.x, pose.y) - pose.sunk}, pose.yaw,
+                pose.tip_x, pose.tip_y);
     for (auto& [material, mesh] : object) model_.Add(name, material, std::move(mesh));
     taken_.emplace_back(pose.x, pose.y, pose.radius);
   }
@@ -101,8 +102,9 @@ void AddLandmarksLeft(Placer& placer, RandomStream& random) {
 
 void AddLandmarksFront(Placer& placer, RandomStream& random) {
   // The piles of an old jetty, and what hung on it.
-  const double piles[][3] = {{16.0, 1.4, 2.6},  {16.6, 0.1, 3.4},  {17.9, -2.2, 3.6}, {18.2, -4.4, 3.3},
-                             {16.3, -6.0, 3.2}, {15.0, 3.0, 2.4},  {18.6, 2.2, 2.7}};
+  const double piles[][3] = {{16.0, 1.4, 2.6},  {16.6, 0.1, 3.4},  {17.9, -2.2, 3.6},
+                             {18.2, -4.4, 3.3}, {16.3, -6.0, 3.2}, {15.0, 3.0, 2.4},
+                             {18.6, 2.2, 2.7}};
   int number = 0;
   for (const auto& p : piles) {
     Pose pose{p[0], p[1], 0.0, 0.1, 0.0, 0.0, 0.3};
@@ -115,6 +117,16 @@ void AddLandmarksFront(Placer& placer, RandomStream& random) {
   placer.Put("crate_0", MakeCrate(random), {15.5, -5.4, 0.5, 0.08, 0.1, 0.2, 0.5});
   placer.Put("tyre_1", MakeTyre(random), {15.6, -4.2, 0.0, -0.1, 1.1, 0.0, 0.4});
   placer.Put("tree_1", MakeTree(5.0, random), {19.0, -8.6, 2.2, 0.05, 0.2, 0, 1.5});
+}
+
+/// A branch that drifted onto the hood, flat enough to pass above it.
+void AddBranchOnHood(SceneModel& model, RandomStream& random) {
+  Object branch = MakeTree(5.0, random);
+  for (auto& [material, mesh] : branch) {
+    for (Vector3d& p : mesh.positions) p = p.cwiseProduct(Vector3d(0.5, 0.5, 0.22));
+  }
+  PlaceObject(branch, {11.85, kBusY + 0.1, 0.13}, 1.35);
+  for (auto& [material, mesh] : branch) model.Add("branch_on_hood", material, std::move(mesh));
 }
 
 void AddLandmarksRight(Placer& placer, RandomStream& random) {
@@ -139,11 +151,12 @@ void AddLandmarksBehind(Placer& placer, RandomStream& random) {
 }
 
 void AddBoulders(Placer& placer, RandomStream& random) {
-  const double spots[][3] = {{-1.8, 3.0, 1.5},   {1.0, 3.6, 1.8},    {8.0, 4.3, 1.7},   {11.3, 3.7, 1.7},
-                             {14.9, 1.3, 1.2},   {17.6, -2.6, 1.9},  {16.2, -8.0, 1.6}, {12.0, -10.6, 1.9},
-                             {8.9, -10.8, 1.5},  {4.0, -10.6, 1.7},  {-2.0, -8.6, 1.5}, {-5.6, -6.4, 1.8},
-                             {-5.7, -1.8, 1.7},  {-3.6, 2.0, 1.6},   {15.0, -10.6, 2.2}, {18.6, 0.4, 2.1},
-                             {-3.2, -4.6, 0.9},  {13.0, 4.2, 2.0},   {6.6, 5.0, 2.0},    {1.6, -8.9, 1.2}};
+  const double spots[][3] = {
+      {-1.8, 3.0, 1.5},  {1.0, 3.6, 1.8},   {8.0, 4.3, 1.7},    {11.3, 3.7, 1.7},
+      {14.9, 1.3, 1.2},  {17.6, -2.6, 1.9}, {16.2, -8.0, 1.6},  {12.0, -10.6, 1.9},
+      {8.9, -10.8, 1.5}, {4.0, -10.6, 1.7}, {-2.0, -8.6, 1.5},  {-5.6, -6.4, 1.8},
+      {-5.7, -1.8, 1.7}, {-3.6, 2.0, 1.6},  {15.0, -10.6, 2.2}, {18.6, 0.4, 2.1},
+      {-3.2, -4.6, 0.9}, {13.0, 4.2, 2.0},  {6.6, 5.0, 2.0},    {1.6, -8.9, 1.2}};
   int number = 0;
   for (const auto& spot : spots) {
     Object boulder = MakeBoulder(spot[2], 5, random);
@@ -153,9 +166,10 @@ void AddBoulders(Placer& placer, RandomStream& random) {
 }
 
 void AddDrownedTrees(Placer& placer, RandomStream& random) {
-  const double spots[][3] = {{3.0, 3.0, 4.2},   {8.7, 3.3, 3.6},  {13.4, 3.8, 4.4},  {17.8, 1.3, 4.0},
-                             {17.4, -6.6, 4.6}, {15.3, -8.8, 3.8}, {10.2, -9.9, 4.4}, {2.0, -9.8, 4.0},
-                             {-3.4, -8.6, 3.6}, {-4.3, -3.6, 4.2}, {-3.2, 2.6, 3.8}};
+  const double spots[][3] = {{3.0, 3.0, 4.2},   {8.7, 3.3, 3.6},   {13.4, 3.8, 4.4},
+                             {17.8, 1.3, 4.0},  {17.4, -6.6, 4.6}, {15.3, -8.8, 3.8},
+                             {10.2, -9.9, 4.4}, {2.0, -9.8, 4.0},  {-3.4, -8.6, 3.6},
+                             {-4.3, -3.6, 4.2}, {-3.2, 2.6, 3.8}};
   int number = 0;
   for (const auto& spot : spots) {
     Object tree = MakeDrownedTree(spot[2], random);
@@ -166,7 +180,8 @@ void AddDrownedTrees(Placer& placer, RandomStream& random) {
 }
 
 void AddBlocks(Placer& placer, RandomStream& random) {
-  const Vector2d spots[] = {{2.6, 1.9}, {5.9, 1.7}, {10.2, 1.5}, {14.9, -6.9}, {4.4, -7.9}, {-2.6, -5.6}, {8.4, -8.2}};
+  const Vector2d spots[] = {{2.6, 1.9},  {5.9, 1.7},   {10.2, 1.5}, {14.9, -6.9},
+                            {4.4, -7.9}, {-2.6, -5.6}, {8.4, -8.2}};
   int number = 0;
   for (const Vector2d& spot : spots) {
     Pose pose{spot.x(), spot.y(), random.Uniform(0, kTurn), 0.03, 0.0, 0.0, 0.25};
@@ -177,7 +192,8 @@ void AddBlocks(Placer& placer, RandomStream& random) {
 }
 
 /// An old farm fence, from before the valley was flooded: spans from point to point.
-void AddFence(Placer& placer, const std::string& name, const std::vector<Vector2d>& line, RandomStream& random) {
+void AddFence(Placer& placer, const std::string& name, const std::vector<Vector2d>& line,
+              RandomStream& random) {
   int number = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vector2d along = line[i + 1] - line[i];
@@ -190,7 +206,8 @@ void AddFence(Placer& placer, const std::string& name, const std::vector<Vector2
       Pose pose{p.x(), p.y(), std::atan2(along.y(), along.x()), 0.0, 0.0, 0.0, 0.3};
       pose.tip_x = 0.07 * random.Gaussian();
       pose.tip_y = -std::atan2(rise, (q - p).norm());
-      placer.Put(fmt::format("{}_{:02}", name, number++), MakeFenceSpan((q - p).norm(), random), pose);
+      placer.Put(fmt::format("{}_{:02}", name, number++), MakeFenceSpan((q - p).norm(), random),
+                 pose);
     }
   }
 }
@@ -205,13 +222,15 @@ struct Scatter {
 };
 
 void ScatterRocks(Placer& placer, RandomStream& random) {
-  const Scatter sizes[] = {{"big_rock", 14, 0.9, 1.7, 5, 3.5, 1.0},
+  const Scatter sizes[] = {{"big_rock", 14, 0.9, 1.7, 4, 3.5, 1.0},
                            {"rock", 52, 0.3, 0.8, 3, 2.4, 0.85},
                            {"stone", 64, 0.14, 0.3, 2, 1.8, 0.7}};
   for (const Scatter& scatter : sizes) {
     for (int i = 0; i < scatter.count; ++i) {
-      const double size = scatter.low + (scatter.high - scatter.low) * std::pow(random.Uniform(), 1.6);
-      const auto spot = placer.Find({0.6 * size, 0.75 * size, scatter.reach, scatter.spacing}, random);
+      const double size =
+          scatter.low + (scatter.high - scatter.low) * std::pow(random.Uniform(), 1.6);
+      const auto spot =
+          placer.Find({0.6 * size, 0.75 * size, scatter.reach, scatter.spacing}, random);
       if (!spot) continue;
       Object rock = MakeBoulder(size, scatter.cells, random);
       Pose pose{spot->x(), spot->y(), random.Uniform(0, kTurn), 0.10 * size, 0.0, 0.0, 0.55 * size};
@@ -245,12 +264,14 @@ void ScatterWeeds(Placer& placer, RandomStream& random) {
     const double height = 0.45 + 1.6 * random.Uniform() * random.Uniform();
     const auto spot = placer.Find({0.2 + 0.3 * height, height, 2.4, 0.3}, random);
     if (!spot) continue;
-    placer.Put(fmt::format("weeds_{:02}", i), MakeWeeds(height, 10, random), {spot->x(), spot->y(), 0, 0, 0, 0, 0.2});
+    placer.Put(fmt::format("weeds_{:02}", i), MakeWeeds(height, 10, random),
+               {spot->x(), spot->y(), 0, 0, 0, 0, 0.2});
   }
   for (int i = 0; i < 26; ++i) {  // low tufts may stand under the way
     const auto spot = placer.Find({0.15, 0.3, 1.6, 0.2}, random);
     if (!spot) continue;
-    placer.Put(fmt::format("grass_{:02}", i), MakeWeeds(0.34, 8, random), {spot->x(), spot->y(), 0, 0, 0, 0, 0.1});
+    placer.Put(fmt::format("grass_{:02}", i), MakeWeeds(0.34, 8, random),
+               {spot->x(), spot->y(), 0, 0, 0, 0, 0.1});
   }
 }
 
@@ -258,19 +279,22 @@ void ScatterLitter(Placer& placer, RandomStream& random) {
   for (int i = 0; i < 6; ++i) {
     const auto spot = placer.Find({0.4, 0.1, 1.0, 0.2}, random);
     if (!spot) continue;
-    placer.Put(fmt::format("litter_{}", i), MakeLitter(random), {spot->x(), spot->y(), 0, 0.01, 0, 0, 0.1});
+    placer.Put(fmt::format("litter_{}", i), MakeLitter(random),
+               {spot->x(), spot->y(), 0, 0.01, 0, 0, 0.1});
   }
 }
 
 }  // namespace
 
-void AddClutter(SceneModel& model, const LakeBed& bed, const Corridor& corridor, std::uint64_t seed) {
+void AddClutter(SceneModel& model, const LakeBed& bed, const Corridor& corridor,
+                std::uint64_t seed) {
   Placer placer(model, bed, corridor);
   RandomStream landmarks(seed, "bus/landmarks");
   AddLandmarksLeft(placer, landmarks);
   AddLandmarksFront(placer, landmarks);
   AddLandmarksRight(placer, landmarks);
   AddLandmarksBehind(placer, landmarks);
+  AddBranchOnHood(model, landmarks);
   RandomStream rocks(seed, "bus/rocks");
   AddBoulders(placer, rocks);
   AddDrownedTrees(placer, landmarks);

@@ -1,12 +1,12 @@
 // Things that lie around a sunken bus. Each is made at the origin, standing or lying on z = 0.
 #pragma once
 
-#include "scenes/mesh/mesh.h"
-#include "sensors_models/base/random_stream.h"
-
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "scenes/mesh/mesh.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
 
@@ -32,7 +32,8 @@ Object MakeBoat(RandomStream& random);
 Object MakeWeeds(double height, int blades, RandomStream& random);
 Object MakeBoulder(double size, int cells, RandomStream& random);
 
-/// A dead tree that still stands, from before the valley was flooded; its limbs reach out 0.3 heights.
+/// A dead tree that still stands, from before the valley was flooded; its limbs reach out 0.3
+/// heights.
 Object MakeDrownedTree(double height, RandomStream& random);
 /// One span of a board fence along x, its post at the origin.
 Object MakeFenceSpan(double length, RandomStream& random);

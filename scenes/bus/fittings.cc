@@ -1,12 +1,12 @@
 // What is mounted on the bus' body.
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "scenes/bus/bus_shape.h"
 #include "scenes/bus/details_atlas.h"
 #include "scenes/bus/parts.h"
 #include "scenes/mesh/shapes.h"
-
-#include <cmath>
-#include <numbers>
-#include <utility>
 
 namespace drydock::scenes::bus {
 namespace {
@@ -46,8 +46,9 @@ void AddBackDoor(SceneModel& model) {
   };
   SlabMeshes meshes = BuildSlab(plan);
   const Vector3d hinge(kRear - 0.03, kBackDoorHalfWidth, kBackDoorTop);
-  Mesh handle = Tube({{1.46, -0.45, 0.2}, {1.41, -0.45, 0.2}, {1.41, -0.45, -0.05}, {1.46, -0.45, -0.05}},
-                     0.014, 6, {0.5, {0, 0}});
+  Mesh handle =
+      Tube({{1.46, -0.45, 0.2}, {1.41, -0.45, 0.2}, {1.41, -0.45, -0.05}, {1.46, -0.45, -0.05}},
+           0.014, 6, {0.5, {0, 0}});
   const Isometry3d open =
       Eigen::Translation3d(hinge) *
       (AngleAxisd(-1.95, Vector3d::UnitZ()) * AngleAxisd(0.035, Vector3d::UnitX())) *
@@ -57,7 +58,8 @@ void AddBackDoor(SceneModel& model) {
   model.Add("bus_back_door", "door", std::move(meshes.inner));
   Mesh iron = std::move(handle);
   for (const double z : {-0.35, 0.3, 0.95}) {
-    iron.Append(Tube({{kRear - 0.03, kBackDoorHalfWidth, z - 0.06}, {kRear - 0.03, kBackDoorHalfWidth, z + 0.06}},
+    iron.Append(Tube({{kRear - 0.03, kBackDoorHalfWidth, z - 0.06},
+                      {kRear - 0.03, kBackDoorHalfWidth, z + 0.06}},
                      0.022, 8, {0.5, {0.2, z}}));
   }
   model.Add("bus_back_door_hinges", "bare_rust", std::move(iron));
@@ -66,8 +68,8 @@ void AddBackDoor(SceneModel& model) {
 /// A lamp: a short round housing with a lens.
 void AddLamp(Mesh& housings, Mesh& lenses, const Vector3d& position, const Vector3d& axis,
              double radius, const UvRect& cell) {
-  Mesh housing = Lathe({{radius * 1.2, -0.03}, {radius * 1.2, 0.03}, {radius * 1.02, 0.04}, {radius, 0.02}},
-                       12, 1);
+  Mesh housing = Lathe(
+      {{radius * 1.2, -0.03}, {radius * 1.2, 0.03}, {radius * 1.02, 0.04}, {radius, 0.02}}, 12, 1);
   Mesh lens = Disc(radius, 12, cell);
   housing.Transform(At(position, Facing(axis)));
   lens.Transform(At(position + 0.028 * axis, Facing(axis)));
@@ -115,19 +117,25 @@ void AddMirrors(SceneModel& model) {
   Mesh black;
   Mesh glass;
   for (const double side : {-1.0, 1.0}) {
-    tubes.Append(Tube({{10.25, 1.19 * side, 0.75}, {10.42, 1.45 * side, 0.72}, {10.42, 1.47 * side, 0.2},
-                       {10.25, 1.19 * side, 0.1}}, 0.013, 6, {0.4, {0.1, 0.2}}));
+    tubes.Append(Tube({{10.25, 1.19 * side, 0.75},
+                       {10.42, 1.45 * side, 0.72},
+                       {10.42, 1.47 * side, 0.2},
+                       {10.25, 1.19 * side, 0.1}},
+                      0.013, 6, {0.4, {0.1, 0.2}}));
     tubes.Append(Box({10.44, 1.47 * side, 0.48}, {0.05, 0.2, 0.34}, {1.0, {0.6, 0.4}}, 0.02, 0));
     Mesh face;
     const Vector3d c(10.414, 1.47 * side, 0.48);
-    face.AddQuad({c + Vector3d(0, 0.09, -0.16), c + Vector3d(0, -0.09, -0.16), c + Vector3d(0, -0.09, 0.16),
-                  c + Vector3d(0, 0.09, 0.16)},
-                 {MirrorCell().At(0, 1), MirrorCell().At(1, 1), MirrorCell().At(1, 0), MirrorCell().At(0, 0)});
+    face.AddQuad({c + Vector3d(0, 0.09, -0.16), c + Vector3d(0, -0.09, -0.16),
+                  c + Vector3d(0, -0.09, 0.16), c + Vector3d(0, 0.09, 0.16)},
+                 {MirrorCell().At(0, 1), MirrorCell().At(1, 1), MirrorCell().At(1, 0),
+                  MirrorCell().At(0, 0)});
     glass.Append(face);
     // The cross-view mirror on its arm over the fender.
-    tubes.Append(Tube({{11.75, 0.95 * side, -0.25}, {11.85, 1.0 * side, 0.0}, {12.05, 1.02 * side, 0.12}},
-                      0.013, 6, {0.4, {0.3, 0.7}}));
-    Mesh egg = Lathe({{0.0, -0.05}, {0.055, -0.035}, {0.07, 0.0}, {0.055, 0.05}, {0.0, 0.08}}, 12, 1);
+    tubes.Append(
+        Tube({{11.75, 0.95 * side, -0.25}, {11.85, 1.0 * side, 0.0}, {12.05, 1.02 * side, 0.12}},
+             0.013, 6, {0.4, {0.3, 0.7}}));
+    Mesh egg =
+        Lathe({{0.0, -0.05}, {0.055, -0.035}, {0.07, 0.0}, {0.055, 0.05}, {0.0, 0.08}}, 12, 1);
     egg.Transform(At({12.08, 1.02 * side, 0.14}, Facing(Vector3d(0.9, 0, 0.1).normalized())));
     black.Append(egg);
   }
@@ -198,9 +206,10 @@ void AddFittings(SceneModel& model) {
   bumper.Append(Box({1.44, 0, -0.63}, {0.2, 1.1, 0.03}, {1.0, {0.8, 0.1}}));
   model.Add("bus_rear_bumper", "black_paint", std::move(bumper));
   Mesh plate;
-  plate.AddQuad({Vector3d(1.478, -0.62, -0.52), Vector3d(1.478, -0.94, -0.50), Vector3d(1.478, -0.94, -0.34),
-                 Vector3d(1.478, -0.62, -0.36)},
-                {PlateCell().At(0, 1), PlateCell().At(1, 1), PlateCell().At(1, 0), PlateCell().At(0, 0)});
+  plate.AddQuad(
+      {Vector3d(1.478, -0.62, -0.52), Vector3d(1.478, -0.94, -0.50), Vector3d(1.478, -0.94, -0.34),
+       Vector3d(1.478, -0.62, -0.36)},
+      {PlateCell().At(0, 1), PlateCell().At(1, 1), PlateCell().At(1, 0), PlateCell().At(0, 0)});
   model.Add("bus_plate", "details", std::move(plate));
 }
 

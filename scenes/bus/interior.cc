@@ -1,15 +1,15 @@
 // Inside the bus: floor, ribs, the driver's place.
-#include "scenes/bus/bus_shape.h"
-#include "scenes/bus/parts.h"
-#include "scenes/mesh/lattice_noise.h"
-#include "scenes/mesh/shapes.h"
-#include "sensors_models/base/random_stream.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "scenes/bus/bus_shape.h"
+#include "scenes/bus/parts.h"
+#include "scenes/mesh/lattice_noise.h"
+#include "scenes/mesh/shapes.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -41,7 +41,8 @@ void AddFloor(SceneModel& model, std::uint64_t seed) {
   }
   Mesh boxes;  // over the rear wheels
   for (const double side : {-1.0, 1.0}) {
-    boxes.Append(Box({kRearAxle, 0.95 * side, kFloor + 0.06}, {1.2, 0.4, 0.16}, {1.0, {0.5, 0.2}}, 0.04, 1));
+    boxes.Append(
+        Box({kRearAxle, 0.95 * side, kFloor + 0.06}, {1.2, 0.4, 0.16}, {1.0, {0.5, 0.2}}, 0.04, 1));
   }
   model.Add("bus_wheel_boxes", "panel", std::move(boxes));
   Mesh steps;
@@ -72,13 +73,15 @@ void AddRibs(SceneModel& model) {
     }
     for (const double side : {-1.0, 1.0}) {  // a rail under the windows
       const double low = 1.7 + 2.8 * chunk;
-      ribs.Append(Tube({{low, 1.105 * side, 0.06}, {low + 2.8, 1.105 * side, 0.06}}, 0.018, 6, {0.5, {0.1, 0.2}}));
+      ribs.Append(Tube({{low, 1.105 * side, 0.06}, {low + 2.8, 1.105 * side, 0.06}}, 0.018, 6,
+                       {0.5, {0.1, 0.2}}));
     }
     model.Add("bus_ribs", "panel", std::move(ribs));
   }
   Mesh lights;  // shallow lamps on the ceiling, off the aisle's middle
   for (int i = 0; i < 5; ++i) {
-    lights.Append(Box({2.9 + 1.5 * i, i % 2 == 0 ? 0.55 : -0.55, 1.31}, {0.32, 0.12, 0.04}, {1.0, {0.3 * i, 0.1}}));
+    lights.Append(Box({2.9 + 1.5 * i, i % 2 == 0 ? 0.55 : -0.55, 1.31}, {0.32, 0.12, 0.04},
+                      {1.0, {0.3 * i, 0.1}}));
   }
   model.Add("bus_ceiling_lamps", "glass", std::move(lights));
 }
@@ -90,7 +93,8 @@ Mesh SteeringWheel() {
   }
   Mesh wheel = Tube(ring, 0.016, 6, {0.5, {0.1, 0.1}});
   for (const double angle : {0.3, 2.4, 4.5}) {
-    wheel.Append(Tube({{0, 0, -0.03}, {0.21 * std::cos(angle), 0.21 * std::sin(angle), 0.0}}, 0.012, 5, {0.5, {0.4, 0.1}}));
+    wheel.Append(Tube({{0, 0, -0.03}, {0.21 * std::cos(angle), 0.21 * std::sin(angle), 0.0}}, 0.012,
+                      5, {0.5, {0.4, 0.1}}));
   }
   wheel.Append(Tube({{0, 0, 0.02}, {0, 0, -0.55}}, 0.03, 8, {0.5, {0.2, 0.4}}));
   return wheel;
@@ -99,7 +103,8 @@ Mesh SteeringWheel() {
 void AddDriversPlace(SceneModel& model) {
   Mesh dash;
   dash.Append(Box({10.27, 0, -0.02}, {0.26, 2.16, 0.34}, {1.0, {0.2, 0.6}}, 0.06, 1));
-  dash.Append(Box({10.2, 0.0, -0.40}, {0.36, 0.7, 0.4}, {1.0, {0.7, 0.1}}, 0.08, 1));  // engine cover
+  dash.Append(
+      Box({10.2, 0.0, -0.40}, {0.36, 0.7, 0.4}, {1.0, {0.7, 0.1}}, 0.08, 1));  // engine cover
   dash.Append(Box({10.12, 0.68, 0.08}, {0.1, 0.5, 0.16}, {1.0, {0.4, 0.3}}, 0.03, 1));
   model.Add("bus_dashboard", "black_paint", std::move(dash));
   Mesh wheel = SteeringWheel();
@@ -108,12 +113,14 @@ void AddDriversPlace(SceneModel& model) {
   pose.translation() = Vector3d(9.86, 0.70, 0.03);
   wheel.Transform(pose);
   model.Add("bus_steering_wheel", "rubber", std::move(wheel));
-  Mesh lever = Tube({{9.75, 0.4, kFloor}, {9.9, 0.42, -0.2}, {9.84, 0.42, -0.08}}, 0.012, 6, {0.5, {0, 0}});
+  Mesh lever =
+      Tube({{9.75, 0.4, kFloor}, {9.9, 0.42, -0.2}, {9.84, 0.42, -0.08}}, 0.012, 6, {0.5, {0, 0}});
   Mesh knob = Rock({0.05, 0.05, 0.05}, 2, 0.0, 1, {0.5, {0, 0}});
   for (Vector3d& p : knob.positions) p += Vector3d(9.84, 0.42, -0.06);
   lever.Append(knob);
   // The bar by the entry steps, and the guard panels behind driver and steps.
-  lever.Append(Tube({{9.4, -0.50, kFloor}, {9.4, -0.50, 0.25}, {9.4, -1.1, 0.25}}, 0.018, 6, {0.5, {0.3, 0}}));
+  lever.Append(Tube({{9.4, -0.50, kFloor}, {9.4, -0.50, 0.25}, {9.4, -1.1, 0.25}}, 0.018, 6,
+                    {0.5, {0.3, 0}}));
   model.Add("bus_levers", "bare_rust", std::move(lever));
   Mesh guards;
   guards.Append(Box({9.25, -0.80, -0.15}, {0.03, 0.60, 0.62}, {1.0, {0.2, 0.1}}));

@@ -1,14 +1,14 @@
 // The bus' nose: hood, fenders, grille, headlights, bumper.
-#include "scenes/bus/bus_shape.h"
-#include "scenes/bus/details_atlas.h"
-#include "scenes/bus/parts.h"
-#include "scenes/mesh/shapes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "scenes/bus/bus_shape.h"
+#include "scenes/bus/details_atlas.h"
+#include "scenes/bus/parts.h"
+#include "scenes/mesh/shapes.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -19,8 +19,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kHoodRear = 10.47;
 constexpr double kHoodFront = 12.0;
 constexpr double kHoodFoot = -0.55;
-constexpr int kHoodRows = 20;      // across, from the right foot to the left one
-constexpr int kHoodSideRows = 3;   // of these, on each upright side
+constexpr int kHoodRows = 20;     // across, from the right foot to the left one
+constexpr int kHoodSideRows = 3;  // of these, on each upright side
 
 /// A point of the hood's section at s (0 at the windscreen, 1 at the grille).
 Vector3d HoodPoint(double s, int row) {
@@ -48,7 +48,8 @@ void AddHood(SceneModel& model) {
   model.Add("bus_hood", "hood", GridSheet(12, kHoodRows, [&](double s, double t) -> SurfacePoint {
               const int row = static_cast<int>(std::lround(t * kHoodRows));
               return {HoodPoint(s, row),
-                      {(0.1 + 3.1 * arc[row]) / kHoodCanvas.width, (0.03 + s * length) / kHoodCanvas.height}};
+                      {(0.1 + 3.1 * arc[row]) / kHoodCanvas.width,
+                       (0.03 + s * length) / kHoodCanvas.height}};
             }));
   // The grille closes the front, a strip between the two flanks at each height.
   Mesh grille;
@@ -76,7 +77,8 @@ void AddHood(SceneModel& model) {
 
 double FenderTop(double x) {
   const double down = std::clamp((x - 11.68) / 0.40, 0.0, 1.0);
-  return -0.20 - 0.02 * std::cos(2 * (x - kFrontAxle)) - 0.55 * (1.0 - std::sqrt(1.0 - down * down));
+  return -0.20 - 0.02 * std::cos(2 * (x - kFrontAxle)) -
+         0.55 * (1.0 - std::sqrt(1.0 - down * down));
 }
 
 double FenderFoot(double x) {
@@ -115,7 +117,9 @@ Mesh LeftFender() {
     const double x = column_x(s);
     double z = FenderTop(x) - std::max(0.0, drop[row]);
     if (drop[row] < 0) z += (FenderFoot(x) - (FenderTop(x) - 0.2)) * -0.5 * drop[row] - 0.2;
-    return {{x, across[row], z}, {(0.02 + 1.6 * ahead[column]) / kHoodCanvas.width, (1.65 + 1.35 * out[row]) / kHoodCanvas.height}};
+    return {{x, across[row], z},
+            {(0.02 + 1.6 * ahead[column]) / kHoodCanvas.width,
+             (1.65 + 1.35 * out[row]) / kHoodCanvas.height}};
   });
 }
 
@@ -143,7 +147,8 @@ void AddHeadlights(SceneModel& model) {
   Mesh bezels;
   Mesh lenses;
   for (const double y : {-0.88, 0.88}) {
-    Mesh bezel = Lathe({{0.155, -0.2}, {0.155, 0.0}, {0.14, 0.025}, {0.115, 0.02}, {0.11, -0.02}}, 15, 2);
+    Mesh bezel =
+        Lathe({{0.155, -0.2}, {0.155, 0.0}, {0.14, 0.025}, {0.115, 0.02}, {0.11, -0.02}}, 15, 2);
     Place(bezel, {12.03, y, -0.46}, Vector3d::UnitX());
     bezels.Append(bezel);
     Mesh lens = Disc(0.115, 15, HeadlightCell());

@@ -1,11 +1,11 @@
 #include "scenes/bus/panel_painter.h"
 
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 namespace drydock::scenes::bus {
 
@@ -38,40 +38,44 @@ void PanelPainter::Opening(double a0, double b0, double a1, double b1, double fr
   Field(a0 - frame, b0 - frame, a1 + frame, b1 + frame, Rgb(30, 30, 28));
   const double corners[5][2] = {{a0, b0}, {a1, b0}, {a1, b1}, {a0, b1}, {a0, b0}};
   for (int i = 0; i < 4; ++i) {
-    DrawLine(canvas_, place_(corners[i][0], corners[i][1]), place_(corners[i + 1][0], corners[i + 1][1]), 0.006,
-             Rgb(92, 92, 86));
+    DrawLine(canvas_, place_(corners[i][0], corners[i][1]),
+             place_(corners[i + 1][0], corners[i + 1][1]), 0.006, Rgb(92, 92, 86));
     MarkEdge(corners[i][0], corners[i][1], corners[i + 1][0], corners[i + 1][1], 2.4 * frame);
   }
 }
 
-void PanelPainter::Stripe(double a0, double b0, double a1, double b1, double width, Rgb color) {
+void PanelPainter::Stripe(double a0, double b0, double a1, double b1, double width,
+                          const Rgb& color) {
   DrawLine(canvas_, place_(a0, b0), place_(a1, b1), width, color);
 }
 
-void PanelPainter::Field(double a0, double b0, double a1, double b1, Rgb color) {
+void PanelPainter::Field(double a0, double b0, double a1, double b1, const Rgb& color) {
   const cv::Point2d p = place_(a0, b0);
   const cv::Point2d q = place_(a1, b1);
-  FillRectangle(canvas_, {std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, color);
+  FillRectangle(canvas_, {std::min(p.x, q.x), std::min(p.y, q.y)},
+                {std::max(p.x, q.x), std::max(p.y, q.y)}, color);
 }
 
 void PanelPainter::Flap(double a0, double b0, double a1, double b1) {
   const double corners[5][2] = {{a0, b0}, {a1, b0}, {a1, b1}, {a0, b1}, {a0, b0}};
   for (int i = 0; i < 4; ++i) {
-    DrawLine(canvas_, place_(corners[i][0], corners[i][1]), place_(corners[i + 1][0], corners[i + 1][1]), 0.006,
-             Rgb(36, 30, 20));
+    DrawLine(canvas_, place_(corners[i][0], corners[i][1]),
+             place_(corners[i + 1][0], corners[i + 1][1]), 0.006, Rgb(36, 30, 20));
     MarkEdge(corners[i][0], corners[i][1], corners[i + 1][0], corners[i + 1][1], 0.02);
   }
   const double middle = 0.5 * (a0 + a1);
-  Field(middle - 0.03, std::max(b0, b1) - 0.05, middle + 0.03, std::max(b0, b1) - 0.03, Rgb(60, 58, 54));
+  Field(middle - 0.03, std::max(b0, b1) - 0.05, middle + 0.03, std::max(b0, b1) - 0.03,
+        Rgb(60, 58, 54));
 }
 
-void PanelPainter::Text(const char* text, double a, double b, double height, double weight, Rgb color,
-                        double squeeze) {
+void PanelPainter::Text(const char* text, double a, double b, double height, double weight,
+                        const Rgb& color, double squeeze) {
   const cv::Point2d p = place_(a, b);
   DrawText(canvas_, text, p.x, p.y, height, weight, color, squeeze);
 }
 
-void PanelPainter::Ledge(double a0, double b0, double a1, double b1, double depth, std::uint64_t key) {
+void PanelPainter::Ledge(double a0, double b0, double a1, double b1, double depth,
+                         std::uint64_t key) {
   cv::Mat1b band = canvas_.Mask();
   const double up = 0.35 * depth;
   DrawLine(canvas_, band, place_(a0, b0 + up), place_(a1, b1 + up), 0.8 * depth);
@@ -83,13 +87,14 @@ void PanelPainter::Ledge(double a0, double b0, double a1, double b1, double dept
   cv::Mat1b reach;
   cv::threshold(band, reach, 8, 255, cv::THRESH_BINARY);
   mask &= reach;
-  canvas_.Blend(mask, canvas_.Noise(0.03, 0.003, 0.8, key + 1), Rgb(112, 104, 82), Rgb(178, 168, 140), 0.9);
+  canvas_.Blend(mask, canvas_.Noise(0.03, 0.003, 0.8, key + 1), Rgb(112, 104, 82),
+                Rgb(178, 168, 140), 0.9);
 }
 
 void PanelPainter::MarkEdge(double a0, double b0, double a1, double b1, double width) {
   cv::line(edges_, canvas_.Fixed(place_(a0, b0).x, place_(a0, b0).y),
-           canvas_.Fixed(place_(a1, b1).x, place_(a1, b1).y), cv::Scalar(170), canvas_.Pixels(width), cv::LINE_8,
-           Canvas::kShift);
+           canvas_.Fixed(place_(a1, b1).x, place_(a1, b1).y), cv::Scalar(170),
+           canvas_.Pixels(width), cv::LINE_8, Canvas::kShift);
 }
 
 cv::Mat1b DownwardGrade(const Canvas& canvas, double top, double from, double to) {

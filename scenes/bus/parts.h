@@ -1,9 +1,9 @@
 // The bus' parts, each group added to a model in the bus frame, and the lake bed around it.
 #pragma once
 
-#include "scenes/model/model.h"
-
 #include <cstdint>
+
+#include "scenes/model/model.h"
 
 namespace drydock::scenes::bus {
 

@@ -1,13 +1,13 @@
 // Two rows of benches, worn to different degrees.
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "scenes/bus/bus_shape.h"
 #include "scenes/bus/parts.h"
 #include "scenes/mesh/shapes.h"
 #include "sensors_models/base/random_stream.h"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <utility>
 
 namespace drydock::scenes::bus {
 namespace {
@@ -21,8 +21,8 @@ constexpr double kBenchWidth = 0.63;
 constexpr double kBenchMiddle = 0.79;  // of a bench, from the centreline
 
 struct Wear {
-  double lean = 0.0;        ///< of the back [rad]
-  double tilt = 0.0;        ///< of the cushion [rad]
+  double lean = 0.0;  ///< of the back [rad]
+  double tilt = 0.0;  ///< of the cushion [rad]
   bool cushion = true;
   bool back = true;
 };
@@ -49,7 +49,8 @@ Mesh Upholstery(const Vector3d& foot, const Wear& wear, const Vector2d& shift) {
   Mesh mesh;
   const Vector3d hinge = foot + Vector3d(-0.21, 0, 0.0);
   if (wear.cushion) {
-    Mesh cushion = Box(foot + Vector3d(0, 0, 0.0), {0.44, kBenchWidth, 0.13}, {2.0, shift}, 0.035, 1);
+    Mesh cushion =
+        Box(foot + Vector3d(0, 0, 0.0), {0.44, kBenchWidth, 0.13}, {2.0, shift}, 0.035, 1);
     cushion.Transform(Lean(hinge, wear.tilt));
     mesh.Append(cushion);
   }
@@ -73,19 +74,27 @@ Mesh Frame(const Vector3d& foot, const Wear& wear, double aisle_side) {
   const double aisle = foot.y() + aisle_side * half;
   const double wall = foot.y() - aisle_side * half;
   Mesh mesh;
-  mesh.Append(Tube({{foot.x() - 0.18, aisle, kFloor - 0.02}, {foot.x() - 0.14, aisle, z},
-                    {foot.x() + 0.16, aisle, z}, {foot.x() + 0.2, aisle, kFloor - 0.02}}, 0.015, 5, uv));
+  mesh.Append(Tube({{foot.x() - 0.18, aisle, kFloor - 0.02},
+                    {foot.x() - 0.14, aisle, z},
+                    {foot.x() + 0.16, aisle, z},
+                    {foot.x() + 0.2, aisle, kFloor - 0.02}},
+                   0.015, 5, uv));
   mesh.Append(Tube({{foot.x() - 0.16, wall, z}, {foot.x() - 0.16, aisle, z}}, 0.014, 5, uv));
   mesh.Append(Tube({{foot.x() + 0.16, wall, z}, {foot.x() + 0.16, aisle, z}}, 0.014, 5, uv));
   if (!wear.back) {
     const double x = foot.x() - 0.22;
-    mesh.Append(Tube({{x, wall, z}, {x - 0.07, wall, z + 0.6}, {x - 0.075, 0.5 * (wall + aisle), z + 0.68},
-                      {x - 0.07, aisle, z + 0.6}, {x, aisle, z}}, 0.014, 5, uv));
+    mesh.Append(Tube({{x, wall, z},
+                      {x - 0.07, wall, z + 0.6},
+                      {x - 0.075, 0.5 * (wall + aisle), z + 0.68},
+                      {x - 0.07, aisle, z + 0.6},
+                      {x, aisle, z}},
+                     0.014, 5, uv));
   }
   return mesh;
 }
 
-void AddSeat(SceneModel& model, const std::string& name, const Vector3d& foot, RandomStream& random) {
+void AddSeat(SceneModel& model, const std::string& name, const Vector3d& foot,
+             RandomStream& random) {
   const Wear wear = RandomWear(random);
   const double shift_u = random.Uniform();
   const Vector2d shift(shift_u, random.Uniform());
@@ -110,7 +119,8 @@ void AddSeats(SceneModel& model, std::uint64_t seed) {
   back.Transform(Lean({9.16, 0.72, -0.1}, -0.12));
   seat.Append(back);
   model.Add("bus_driver_seat", "vinyl", std::move(seat));
-  model.Add("bus_driver_seat", "bare_rust", Tube({{9.40, 0.72, kFloor}, {9.40, 0.72, -0.2}}, 0.06, 10, {0.5, {0.2, 0.2}}));
+  model.Add("bus_driver_seat", "bare_rust",
+            Tube({{9.40, 0.72, kFloor}, {9.40, 0.72, -0.2}}, 0.06, 10, {0.5, {0.2, 0.2}}));
 }
 
 }  // namespace drydock::scenes::bus

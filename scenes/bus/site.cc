@@ -1,17 +1,17 @@
 #include "scenes/bus/site.h"
 
-#include "scenes/bus/bus_shape.h"
-#include "scenes/mesh/lattice_noise.h"
-#include "scenes/mesh/shapes.h"
-#include "sensors_models/base/random_stream.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "scenes/bus/bus_shape.h"
+#include "scenes/mesh/lattice_noise.h"
+#include "scenes/mesh/shapes.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -33,11 +33,12 @@ Vector2d TileCorner(int i, int j) {
 /// Finer near the bus; beyond the bed's rim there is nothing, as fine as its neighbour.
 int CellsOfTile(int i, int j) {
   const int ring = std::max(std::abs(i - kHalf), std::abs(j - kHalf));
-  return ring <= 1 ? 18 : ring == 2 ? 10 : 7;
+  return ring <= 1 ? 18 : ring == 2 ? 10 : 6;
 }
 
 /// Two tiles meet on the coarser one's lines: straight between them.
-double EdgeHeight(const LakeBed& bed, const Vector2d& from, const Vector2d& to, double t, int cells) {
+double EdgeHeight(const LakeBed& bed, const Vector2d& from, const Vector2d& to, double t,
+                  int cells) {
   const double at = t * cells;
   const double low = std::min(std::floor(at + 1e-9), cells - 1.0);
   const Vector2d a = from + (to - from) * (low / cells);
@@ -57,9 +58,11 @@ Mesh Tile(const LakeBed& bed, int i, int j, RandomStream& random) {
   const Vector2d bend = within(0.07);
   const Vector2d swirl = within(0.05);
   const auto height = [&](double s, double t) {
-    const auto edge = [&](int di, int dj, double x0, double y0, double x1, double y1, double along) {
+    const auto edge = [&](int di, int dj, double x0, double y0, double x1, double y1,
+                          double along) {
       const int shared = std::min(cells, CellsOfTile(i + di, j + dj));
-      return EdgeHeight(bed, corner + kTile * Vector2d(x0, y0), corner + kTile * Vector2d(x1, y1), along, shared);
+      return EdgeHeight(bed, corner + kTile * Vector2d(x0, y0), corner + kTile * Vector2d(x1, y1),
+                        along, shared);
     };
     if (s == 0.0) return edge(-1, 0, 0, 0, 0, 1, t);
     if (s == 1.0) return edge(1, 0, 1, 0, 1, 1, t);
@@ -85,7 +88,8 @@ double LakeBed::Height(double x, double y) const {
   const Vector2d p(x, y);
   // A gentle slope, dunes of three sizes, a rim that rises out of sight.
   double z = -1.45 + 0.022 * (y - kBusY) - 0.008 * (x - kMiddle.x());
-  z += 0.22 * Fbm2(p / 6.5, 2, key_) + 0.10 * Fbm2(p / 2.1, 2, key_ + 7) + 0.05 * Fbm2(p / 0.8, 2, key_ + 13);
+  z += 0.22 * Fbm2(p / 6.5, 2, key_) + 0.10 * Fbm2(p / 2.1, 2, key_ + 7) +
+       0.05 * Fbm2(p / 0.8, 2, key_ + 13);
   const double radius = (p - kMiddle).norm() + 1.5 * Fbm2(p / 7.0, 2, key_ + 21);
   z += 2.6 * SmoothStep(13.5, 22.0, radius);
   // Scour around the bus, drifts against it.
@@ -107,11 +111,10 @@ void AddLakeBed(SceneModel& model, const LakeBed& bed, std::uint64_t seed) {
 }
 
 Corridor::Corridor() {
-  const std::vector<Vector3d> way = {{-1.0, 0.0, 0.0},   {0, 0, 0},          {6, 0, 0},
-                                     {12, 0.2, 0.1},     {13.8, -1.0, 0.2},  {14.2, -3.2, 0.3},
-                                     {13.8, -5.5, 0.25}, {12, -6.6, 0.2},    {6.5, -6.6, 0.1},
-                                     {1, -6.5, 0.0},     {-0.8, -5.4, 0.05}, {-1.2, -3.2, 0.1},
-                                     {1.5, -3.2, 0.3},   {10, -3.2, 0.5},    {12, -3.2, 2.0}};
+  const std::vector<Vector3d> way = {
+      {-1.0, 0.0, 0.0},   {0, 0, 0},          {6, 0, 0},        {12, 0.2, 0.1},   {13.8, -1.0, 0.2},
+      {14.2, -3.2, 0.3},  {13.8, -5.5, 0.25}, {12, -6.6, 0.2},  {6.5, -6.6, 0.1}, {1, -6.5, 0.0},
+      {-0.8, -5.4, 0.05}, {-1.2, -3.2, 0.1},  {1.5, -3.2, 0.3}, {10, -3.2, 0.5},  {12, -3.2, 2.0}};
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     for (int k = 0; k < 20; ++k) points_.push_back(way[i] + (way[i + 1] - way[i]) * (k / 20.0));
   }

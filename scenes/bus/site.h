@@ -1,12 +1,11 @@
 // The place: the lake bed's shape, and where a dive passes.
 #pragma once
 
-#include "scenes/model/model.h"
-
 #include <Eigen/Core>
-
 #include <cstdint>
 #include <vector>
+
+#include "scenes/model/model.h"
 
 namespace drydock::scenes::bus {
 
@@ -21,9 +20,9 @@ class LakeBed {
   std::uint64_t key_;
 };
 
-inline constexpr double kTile = 6.144;   ///< one tile of the bed, one repetition of its texture [m]
-inline constexpr int kTiles = 7;         ///< along each side
-inline constexpr int kBedVariants = 3;   ///< textures that fit each other: bed_0, bed_1...
+inline constexpr double kTile = 6.144;  ///< one tile of the bed, one repetition of its texture [m]
+inline constexpr int kTiles = 7;        ///< along each side
+inline constexpr int kBedVariants = 3;  ///< textures that fit each other: bed_0, bed_1...
 
 void AddLakeBed(SceneModel& model, const LakeBed& bed, std::uint64_t seed);
 

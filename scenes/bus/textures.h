@@ -1,12 +1,12 @@
 // The bus' pictures: painted in metres, aged, overgrown.
 #pragma once
 
-#include "scenes/texture/canvas.h"
-
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "scenes/texture/canvas.h"
 
 namespace drydock::scenes::bus {
 

@@ -1,15 +1,15 @@
 // The lake bed: several pictures with the same rim, so that any of them fits beside any.
-#include "scenes/bus/site.h"
-#include "scenes/bus/textures.h"
-#include "scenes/texture/stamps.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <string>
+
+#include <fmt/format.h>
+
+#include "scenes/bus/site.h"
+#include "scenes/bus/textures.h"
+#include "scenes/texture/stamps.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -39,7 +39,8 @@ class RimmedNoise {
       for (int x = 0; x < field.cols; ++x) {
         const float w = weight_(y, x);
         // Keeps the variance where the two mix.
-        field(y, x) = ((1 - w) * field(y, x) + w * own(y, x)) / std::sqrt(w * w + (1 - w) * (1 - w));
+        field(y, x) =
+            ((1 - w) * field(y, x) + w * own(y, x)) / std::sqrt(w * w + (1 - w) * (1 - w));
       }
     }
     return field;
@@ -71,11 +72,13 @@ void PaintSediment(Canvas& canvas, const RimmedNoise& noise) {
   }
   canvas.Blend(Ramp(ripple, 0.6, 1.6), Rgb(168, 156, 124), 0.45);
   canvas.Blend(Ramp(-ripple, 0.6, 1.5), Rgb(62, 54, 38), 0.5);
-  canvas.Blend(Coverage(noise(0.8, 0.006, 0.68, "detritus"), 0.26, 0.3), fine, Rgb(30, 25, 18), Rgb(70, 60, 42), 0.88);
-  canvas.Blend(Coverage(noise(0.9, 0.006, 0.66, "mats"), 0.10, 0.12), fine, Rgb(34, 38, 20), Rgb(88, 92, 50), 0.88);
-  canvas.Blend(Coverage(noise(0.5, 0.006, 0.66, "bright"), 0.14, 0.12), fine, Rgb(146, 136, 110),
-               Rgb(206, 196, 168), 0.9);
-  canvas.Modulate(fine, 0.12);
+  canvas.Blend(Coverage(noise(0.8, 0.006, 0.68, "detritus"), 0.21, 0.3), fine, Rgb(30, 25, 18),
+               Rgb(70, 60, 42), 0.88);
+  canvas.Blend(Coverage(noise(0.9, 0.006, 0.66, "mats"), 0.06, 0.12), fine, Rgb(34, 38, 20),
+               Rgb(88, 92, 50), 0.88);
+  canvas.Blend(Coverage(noise(0.5, 0.006, 0.66, "bright"), 0.09, 0.30), fine, Rgb(146, 136, 110),
+               Rgb(206, 196, 168), 0.8);
+  canvas.Modulate(fine, 0.09);
 }
 
 using DrawThing = std::function<void(Canvas&, double x, double y, RandomStream&)>;
@@ -92,7 +95,8 @@ void Strew(Canvas& canvas, int count, bool rim, const DrawThing& draw, RandomStr
     const RandomStream look(random.Bits(), "look");
     for (const double dx : {-w, 0.0, w}) {
       for (const double dy : {-w, 0.0, w}) {
-        const bool touches = x + dx > -reach && x + dx < w + reach && y + dy > -reach && y + dy < w + reach;
+        const bool touches =
+            x + dx > -reach && x + dx < w + reach && y + dy > -reach && y + dy < w + reach;
         RandomStream same = look;
         if (touches) draw(canvas, x + dx, y + dy, same);
       }
@@ -108,11 +112,26 @@ void StrewEverything(Canvas& canvas, bool rim, std::uint64_t key) {
       DrawPebble(c, x, y, low + (high - low) * size * size * size, r);
     };
   };
-  Strew(canvas, 70, rim, [](Canvas& c, double x, double y, RandomStream& r) { DrawTwig(c, x, y, r.Uniform(0.1, 0.45), r); }, random);
-  Strew(canvas, 5200, rim, pebble(0.003, 0.018), random);
-  Strew(canvas, 520, rim, pebble(0.014, 0.08), random);
-  Strew(canvas, 220, rim, [](Canvas& c, double x, double y, RandomStream& r) { DrawShell(c, x, y, r.Uniform(0.015, 0.06), r); }, random);
-  Strew(canvas, 130, rim, [](Canvas& c, double x, double y, RandomStream& r) { DrawLeaf(c, x, y, r.Uniform(0.05, 0.15), r); }, random);
+  Strew(
+      canvas, 70, rim,
+      [](Canvas& c, double x, double y, RandomStream& r) {
+        DrawTwig(c, x, y, r.Uniform(0.1, 0.45), r);
+      },
+      random);
+  Strew(canvas, 5200, rim, pebble(0.00, 0.018), random);
+  Strew(canvas, 520, rim, pebble(0.01, 0.08), random);
+  Strew(
+      canvas, 220, rim,
+      [](Canvas& c, double x, double y, RandomStream& r) {
+        DrawShell(c, x, y, r.Uniform(0.01, 0.06), r);
+      },
+      random);
+  Strew(
+      canvas, 130, rim,
+      [](Canvas& c, double x, double y, RandomStream& r) {
+        DrawLeaf(c, x, y, r.Uniform(0.05, 0.15), r);
+      },
+      random);
 }
 
 cv::Mat3b PaintBed(int variant, std::uint64_t seed, double scale) {
@@ -130,6 +149,7 @@ cv::Mat3b PaintBed(int variant, std::uint64_t seed, double scale) {
 
 std::vector<TextureTask> BedTextures() {
   std::vector<TextureTask> tasks;
+  tasks.reserve(kBedVariants);
   for (int variant = 0; variant < kBedVariants; ++variant) {
     tasks.push_back({fmt::format("bed_{}", variant), [variant](std::uint64_t seed, double scale) {
                        return PaintBed(variant, seed, scale);

@@ -1,11 +1,11 @@
 // The bus from outside.
+#include <cmath>
+#include <string>
+
 #include "scenes/bus/bus_shape.h"
 #include "scenes/bus/panel_painter.h"
 #include "scenes/bus/textures.h"
 #include "scenes/texture/weathering.h"
-
-#include <cmath>
-#include <string>
 
 namespace drydock::scenes::bus {
 namespace {
@@ -29,8 +29,10 @@ void PaintSidePanels(PanelPainter& painter, Side side) {
   const double last = kFront + 0.1;
   painter.Field(first - 0.2, kEave - 0.03, last + 0.1, kEave + 0.2, kWhite);
   painter.Stripe(first - 0.2, kEave - 0.03, last + 0.1, kEave - 0.03, 0.03, kBlack);
-  for (const double z : {kRail, -0.12, kSill - 0.05}) painter.Stripe(first - 0.2, z, last + 0.1, z, 0.13, kBlack);
-  for (const double z : {kRail + 0.10, kHead + 0.05, -0.62}) painter.Seam(first - 0.2, z, last + 0.1, z, 0.07);
+  for (const double z : {kRail, -0.12, kSill - 0.05})
+    painter.Stripe(first - 0.2, z, last + 0.1, z, 0.13, kBlack);
+  for (const double z : {kRail + 0.10, kHead + 0.05, -0.62})
+    painter.Seam(first - 0.2, z, last + 0.1, z, 0.07);
   for (int i = 0; i <= kWindows; ++i) {
     const double x = kWindowFirst + i * kWindowPitch - 0.06;
     painter.Seam(x, kSkirt, x, kEave, i % 2 == 0 ? 0.08 : 0.11);
@@ -59,15 +61,18 @@ cv::Mat3b PaintSide(Side side, std::uint64_t seed, double scale) {
     return cv::Point2d(side == Side::kLeft ? kSideCanvas.width - a : a, kSideCanvas.top - z);
   });
   PaintSidePanels(painter, side);
-  painter.Text("LAKESIDE COUNTY SCHOOLS", side == Side::kLeft ? 6.1 : 5.6, -0.265, 0.165, 0.20, kLetter, 1.08);
+  painter.Text("LAKESIDE COUNTY SCHOOLS", side == Side::kLeft ? 6.1 : 5.6, -0.265, 0.165, 0.20,
+               kLetter, 1.08);
   painter.Text("47", side == Side::kLeft ? 9.75 : 8.9, -0.83, 0.20, 0.22, kLetter);
-  painter.Text(side == Side::kLeft ? "47" : "STOP  WHEN  LIGHTS  FLASH", side == Side::kLeft ? 2.3 : 3.0, -0.02,
-               side == Side::kLeft ? 0.13 : 0.08, 0.2, kLetter);
+  painter.Text(side == Side::kLeft ? "47" : "STOP  WHEN  LIGHTS  FLASH",
+               side == Side::kLeft ? 2.3 : 3.0, -0.02, side == Side::kLeft ? 0.13 : 0.08, 0.2,
+               kLetter);
   Weathering weathering;
-  weathering.rust = side == Side::kLeft ? 0.17 : 0.23;
-  weathering.algae = side == Side::kLeft ? 0.13 : 0.19;
+  weathering.rust = side == Side::kLeft ? 0.12 : 0.18;
+  weathering.algae = side == Side::kLeft ? 0.08 : 0.14;
   Age(canvas, weathering, painter.edges(), keys);
-  GrowFromBelow(canvas, DownwardGrade(canvas, kSideCanvas.top, -0.35, kSkirt - 0.1), keys.Key("from below"));
+  GrowFromBelow(canvas, DownwardGrade(canvas, kSideCanvas.top, -0.35, kSkirt - 0.1),
+                keys.Key("from below"));
   for (const double z : {kRail + 0.05, -0.08, kSill - 0.01}) {
     painter.Ledge(1.4, z, 10.6, z, 0.05, keys.Key("ledge" + std::to_string(z)));
   }
@@ -77,19 +82,18 @@ cv::Mat3b PaintSide(Side side, std::uint64_t seed, double scale) {
 cv::Mat3b PaintRoof(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/roof");
   Canvas canvas(kRoofCanvas.width, kRoofCanvas.height, 300 * scale, kWhite);
-  PanelPainter painter(canvas, [](double x, double arc) {
-    return cv::Point2d(x - kRoofCanvas.left, 1.45 - arc);
-  });
+  PanelPainter painter(
+      canvas, [](double x, double arc) { return cv::Point2d(x - kRoofCanvas.left, 1.45 - arc); });
   for (const double end : {-1.45, 1.32}) painter.Field(1.4, end, 10.6, end + 0.14, kYellow);
   for (int i = 0; i <= 9; ++i) painter.Seam(1.9 + i * 0.93, -1.45, 1.9 + i * 0.93, 1.45, 0.06);
   for (const double arc : {-0.75, 0.75}) painter.Seam(1.4, arc, 10.6, arc, 0.10);
   painter.Text("47", 6.0, 0.05, 0.75, 0.2, kLetter);
   Weathering weathering;
-  weathering.rust = 0.2;
+  weathering.rust = 0.15;
   weathering.streaks = 0.12;
-  weathering.silt = 0.48;
+  weathering.silt = 0.47;
   weathering.silt_alpha = 0.88;
-  weathering.algae = 0.24;
+  weathering.algae = 0.19;
   weathering.mussels = 30;
   Age(canvas, weathering, painter.edges(), keys);
   return canvas.image();
@@ -114,9 +118,10 @@ cv::Mat3b PaintRear(std::uint64_t seed, double scale) {
   painter.Text("STOP", -0.82, 0.075, 0.09, 0.2, kLetter);
   painter.Text("LAKESIDE", -0.82, -0.53, 0.07, 0.2, kLetter);
   Weathering weathering;
-  weathering.rust = 0.24;
+  weathering.rust = 0.19;
   Age(canvas, weathering, painter.edges(), keys);
-  GrowFromBelow(canvas, DownwardGrade(canvas, kEndCanvas.top, -0.3, kSkirt - 0.1), keys.Key("from below"));
+  GrowFromBelow(canvas, DownwardGrade(canvas, kEndCanvas.top, -0.3, kSkirt - 0.1),
+                keys.Key("from below"));
   return canvas.image();
 }
 
@@ -128,7 +133,7 @@ cv::Mat3b PaintFront(std::uint64_t seed, double scale) {
   for (const double a : {-1.08, 1.08}) painter.Seam(a, kSkirt, a, 1.2, 0.08);
   painter.Seam(-1.3, 0.12, 1.3, 0.12, 0.07);
   Weathering weathering;
-  weathering.rust = 0.26;
+  weathering.rust = 0.21;
   Age(canvas, weathering, painter.edges(), keys);
   return canvas.image();
 }
@@ -137,22 +142,23 @@ cv::Mat3b PaintHood(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/hood");
   Canvas canvas(kHoodCanvas.width, kHoodCanvas.height, 400 * scale, kYellow);
   PanelPainter painter(canvas, [](double a, double b) { return cv::Point2d(a, b); });
-  painter.Seam(1.65, 0.0, 1.65, 1.58, 0.0);                                   // the hood's ridge
-  for (const double a : {0.62, 2.68}) painter.Seam(a, 0.0, a, 1.58, 0.12);    // where it opens
+  painter.Seam(1.65, 0.0, 1.65, 1.58, 0.0);                                 // the hood's ridge
+  for (const double a : {0.62, 2.68}) painter.Seam(a, 0.0, a, 1.58, 0.12);  // where it opens
   painter.Seam(0.0, 0.03, 3.3, 0.03, 0.06);
-  for (int i = 0; i < 6; ++i) {                                               // louvres on both flanks
-    for (const double a : {0.22, 2.86}) painter.Stripe(a, 0.5 + 0.07 * i, a + 0.22, 0.5 + 0.07 * i, 0.018, kBlack);
+  for (int i = 0; i < 6; ++i) {  // louvres on both flanks
+    for (const double a : {0.22, 2.86})
+      painter.Stripe(a, 0.5 + 0.07 * i, a + 0.22, 0.5 + 0.07 * i, 0.018, kBlack);
   }
-  painter.Field(1.15, 0.25, 2.15, 1.30, Rgb(44, 42, 38));                     // matt black against glare
+  painter.Field(1.15, 0.25, 2.15, 1.30, Rgb(44, 42, 38));  // matt black against glare
   for (const double a : {0.02, 1.67}) {
     painter.Seam(a, 2.25, a + 1.6, 2.25, 0.1);
     painter.MarkEdge(a, 3.0, a + 1.6, 3.0, 0.08);
     painter.Stripe(a, 2.95, a + 1.6, 2.95, 0.05, kBlack);
   }
   Weathering weathering;
-  weathering.rust = 0.27;
+  weathering.rust = 0.22;
   weathering.streaks = 0.12;
-  weathering.silt = 0.40;
+  weathering.silt = 0.38;
   weathering.silt_alpha = 0.8;
   weathering.mussels = 26;
   Age(canvas, weathering, painter.edges(), keys);
@@ -175,7 +181,7 @@ cv::Mat3b PaintDoor(std::uint64_t seed, double scale) {
   painter.Text("LIFT TO OPEN", 1.8, 0.21, 0.05, 0.18, Rgb(150, 30, 24));
   painter.Stripe(0.05, 0.21, 1.15, 0.21, 0.06, kBlack);
   Weathering weathering;
-  weathering.rust = 0.22;
+  weathering.rust = 0.17;
   Age(canvas, weathering, painter.edges(), keys);
   GrowFromBelow(canvas, DownwardGrade(canvas, 1.2, 0.0, -0.8), keys.Key("from below"));
   return canvas.image();
@@ -187,8 +193,12 @@ std::vector<TextureTask> BodyTextures() {
   const auto side = [](Side which) {
     return [which](std::uint64_t seed, double scale) { return PaintSide(which, seed, scale); };
   };
-  return {{"side_left", side(Side::kLeft)}, {"side_right", side(Side::kRight)}, {"roof", PaintRoof},
-          {"rear", PaintRear},              {"front", PaintFront},              {"hood", PaintHood},
+  return {{"side_left", side(Side::kLeft)},
+          {"side_right", side(Side::kRight)},
+          {"roof", PaintRoof},
+          {"rear", PaintRear},
+          {"front", PaintFront},
+          {"hood", PaintHood},
           {"door", PaintDoor}};
 }
 

@@ -1,14 +1,14 @@
 // The bus from inside.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
 #include "scenes/bus/bus_shape.h"
 #include "scenes/bus/panel_painter.h"
 #include "scenes/bus/textures.h"
 #include "scenes/texture/weathering.h"
-
-#include <opencv2/imgproc.hpp>
-
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 namespace drydock::scenes::bus {
 namespace {
@@ -35,34 +35,33 @@ cv::Mat3b PaintWall(Side side, std::uint64_t seed, double scale) {
   }
   painter.Text("NO STANDING WHILE BUS IS IN MOTION", 5.0, 0.93, 0.05, 0.16, Rgb(50, 30, 26));
   Weathering weathering;
-  weathering.rust = 0.22;
-  weathering.algae = 0.12;
-  weathering.silt = 0.26;
+  weathering.rust = 0.17;
+  weathering.algae = 0.07;
+  weathering.silt = 0.21;
   Age(canvas, weathering, painter.edges(), keys);
   painter.Ledge(1.4, kSill - 0.01, 10.6, kSill - 0.01, 0.05, keys.Key("sill"));
   cv::Mat1f field = canvas.Noise(0.5, 0.006, 0.66, keys.Key("foot"));
   AddMask(field, DownwardGrade(canvas, kInsideCanvas.top, -0.2, -0.65), 2.8);
-  canvas.Blend(Ramp(field, 1.8, 2.4), canvas.Noise(0.03, 0.003, 0.8, keys.Key("foot tone")), Rgb(84, 78, 58),
-               Rgb(156, 146, 116), 0.85);
+  canvas.Blend(Ramp(field, 1.8, 2.4), canvas.Noise(0.03, 0.003, 0.8, keys.Key("foot tone")),
+               Rgb(84, 78, 58), Rgb(156, 146, 116), 0.85);
   return canvas.image();
 }
 
 cv::Mat3b PaintCeiling(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/ceiling");
   Canvas canvas(kRoofCanvas.width, kRoofCanvas.height, 260 * scale, Rgb(186, 186, 168));
-  PanelPainter painter(canvas, [](double x, double arc) {
-    return cv::Point2d(x - kRoofCanvas.left, 1.45 - arc);
-  });
+  PanelPainter painter(
+      canvas, [](double x, double arc) { return cv::Point2d(x - kRoofCanvas.left, 1.45 - arc); });
   for (int i = 0; i <= kWindows; ++i) {
     const double x = kWindowFirst + i * kWindowPitch - 0.06;
     painter.Seam(x, -1.45, x, 1.45, 0.07);
   }
   for (const double arc : {-0.8, 0.0, 0.8}) painter.Seam(1.4, arc, 10.6, arc, 0.12);
   Weathering weathering;
-  weathering.rust = 0.27;
-  weathering.silt = 0.05;
-  weathering.film = 0.4;
-  weathering.algae = 0.12;
+  weathering.rust = 0.22;
+  weathering.silt = 0.02;
+  weathering.film = 0.38;
+  weathering.algae = 0.07;
   weathering.largest = 0.8;
   weathering.streaks = 0.06;
   Age(canvas, weathering, painter.edges(), keys);
@@ -102,11 +101,11 @@ cv::Mat3b PaintFloor(std::uint64_t seed, double scale) {
   }
   for (int i = 0; i < 8; ++i) painter.Seam(1.9 + 1.15 * i, -1.2, 1.9 + 1.15 * i, 1.2, 0.0);
   Weathering weathering;
-  weathering.rust = 0.16;
-  weathering.algae = 0.10;
-  weathering.silt = 0.42;
+  weathering.rust = 0.11;
+  weathering.algae = 0.06;
+  weathering.silt = 0.4;
   weathering.silt_alpha = 0.92;
-  weathering.film = 0.3;
+  weathering.film = 0.26;
   Age(canvas, weathering, painter.edges(), keys);
   ScatterLitter(canvas, keys.Key("litter"));
   return canvas.image();
@@ -146,11 +145,11 @@ cv::Mat3b PaintVinyl(std::uint64_t seed, double scale) {
     DrawTear(canvas, x, random.Uniform(0.1, 1.9), random);
   }
   cv::Mat1f mould = canvas.Noise(0.12, 0.004, 0.7, keys.Key("mould"));
-  canvas.Blend(Coverage(mould, 0.16, 0.15), Rgb(150, 146, 118), 0.7);
+  canvas.Blend(Coverage(mould, 0.11, 0.15), Rgb(150, 146, 118), 0.7);
   Weathering weathering;
-  weathering.film = 0.25;
-  weathering.algae = 0.18;
-  weathering.silt = 0.34;
+  weathering.film = 0.2;
+  weathering.algae = 0.13;
+  weathering.silt = 0.30;
   weathering.silt_alpha = 0.8;
   weathering.mussels = 20;
   Overgrow(canvas, weathering, keys);
@@ -163,7 +162,7 @@ cv::Mat3b PaintPanel(std::uint64_t seed, double scale) {
   PanelPainter painter(canvas, [](double a, double b) { return cv::Point2d(a, b); });
   for (int i = 0; i < 4; ++i) painter.Rivets(0.0, 0.25 + 0.5 * i, 2.0, 0.25 + 0.5 * i, 0.1);
   Weathering weathering;
-  weathering.rust = 0.30;
+  weathering.rust = 0.26;
   weathering.primer = 0.08;
   Age(canvas, weathering, painter.edges(), keys);
   return canvas.image();

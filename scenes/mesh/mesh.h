@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -12,12 +11,12 @@ namespace drydock::scenes {
 /// Triangles are counter-clockwise seen from outside; the renderer culls the other side. Texture
 /// coordinates have (0, 0) at the image's first pixel, u to the right and v down the rows.
 struct Mesh {
-  std::vector<Eigen::Vector3d> positions;       ///< [m]
-  std::vector<Eigen::Vector3d> normals;         ///< unit vectors, one a vertex
-  std::vector<Eigen::Vector2d> uvs;             ///< one a vertex
-  std::vector<std::array<int, 3>> triangles;    ///< vertex indices
+  std::vector<Eigen::Vector3d> positions;     ///< [m]
+  std::vector<Eigen::Vector3d> normals;       ///< unit vectors, one a vertex
+  std::vector<Eigen::Vector2d> uvs;           ///< one a vertex
+  std::vector<std::array<int, 3>> triangles;  ///< vertex indices
 
-  bool empty() const { return triangles.empty(); }
+  bool IsEmpty() const { return triangles.empty(); }
   /// The new vertex's index.
   int AddVertex(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
                 const Eigen::Vector2d& uv);

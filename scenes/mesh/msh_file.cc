@@ -1,11 +1,11 @@
 #include "scenes/mesh/msh_file.h"
 
-#include "sensors_models/base/check.h"
-
 #include <bit>
 #include <cstdint>
 #include <fstream>
 #include <string>
+
+#include "sensors_models/base/check.h"
 
 namespace drydock::scenes {
 namespace {

@@ -1,13 +1,13 @@
 #include "scenes/mesh/shapes.h"
 
-#include "scenes/mesh/lattice_noise.h"
-#include "sensors_models/base/check.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "scenes/mesh/lattice_noise.h"
+#include "sensors_models/base/check.h"
 
 namespace drydock::scenes {
 namespace {
@@ -53,8 +53,8 @@ void AddCap(Mesh& mesh, int first, int segments, const Vector3d& center, const V
 std::vector<Vector2d> SectionOutline(double half_a, double half_b, double bevel) {
   const double c = std::min({bevel, half_a, half_b});
   if (c <= 0.0) return {{half_a, -half_b}, {half_a, half_b}, {-half_a, half_b}, {-half_a, -half_b}};
-  return {{half_a, -half_b + c}, {half_a, half_b - c}, {half_a - c, half_b},
-          {-half_a + c, half_b}, {-half_a, half_b - c}, {-half_a, -half_b + c},
+  return {{half_a, -half_b + c},  {half_a, half_b - c},  {half_a - c, half_b},
+          {-half_a + c, half_b},  {-half_a, half_b - c}, {-half_a, -half_b + c},
           {-half_a + c, -half_b}, {half_a - c, -half_b}};
 }
 
@@ -110,6 +110,7 @@ Mesh Box(const Vector3d& center, const Vector3d& size, const TileUv& uv, double 
     Vector3d normal = Vector3d::Zero();
     normal[axis] = side;
     std::vector<int> ring;
+    ring.reserve(outline.size());
     for (const Vector2d& p : outline) {
       ring.push_back(mesh.AddVertex(point(p, side * half), normal, tile(p.x(), p.y())));
     }
@@ -140,8 +141,9 @@ Mesh Tube(const std::vector<Vector3d>& path, const std::vector<double>& radii, i
     for (int k = 0; k <= segments; ++k) {
       const double angle = kTurn * (k % segments) / segments;
       const Vector3d n = std::cos(angle) * a + std::sin(angle) * b;
-      mesh.AddVertex(path[i] + radii[i] * n, n,
-                     uv.offset + Vector2d(around(static_cast<double>(k) / segments), along / uv.period));
+      mesh.AddVertex(
+          path[i] + radii[i] * n, n,
+          uv.offset + Vector2d(around(static_cast<double>(k) / segments), along / uv.period));
     }
   }
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -189,7 +191,8 @@ Mesh Lathe(const std::vector<Vector2d>& profile, int segments, double u_turns, d
   for (int j = 0; j <= rows; ++j) {
     Vector3d& first = mesh.normals[static_cast<std::size_t>(j) * (segments + 1)];
     Vector3d& last = mesh.normals[static_cast<std::size_t>(j) * (segments + 1) + segments];
-    first = last = (first + last).normalized();
+    const Vector3d sum = first + last;
+    if (sum.squaredNorm() > 0) first = last = sum.normalized();
   }
   return mesh;
 }
@@ -218,7 +221,8 @@ Mesh Disc(double radius, int segments, const UvRect& uv) {
 
 Mesh Rock(const Vector3d& size, int cells, double roughness, std::uint64_t key, const TileUv& uv) {
   const auto surface = [&](const Vector3d& direction) -> Vector3d {
-    const double dent = Fbm3(1.6 * direction, 4, key) + 0.35 * std::abs(Fbm3(3.1 * direction, 2, key + 1));
+    const double dent =
+        Fbm3(1.6 * direction, 4, key) + 0.35 * std::abs(Fbm3(3.1 * direction, 2, key + 1));
     return (1.0 + roughness * dent) * direction.cwiseProduct(size / 2);
   };
   Mesh mesh;
@@ -234,7 +238,7 @@ Mesh Rock(const Vector3d& size, int cells, double roughness, std::uint64_t key, 
       cube[(axis + 1) % 3] = sign * a;
       cube[(axis + 2) % 3] = b;
       const Vector3d p = surface(cube.normalized());
-      const Vector2d place(size[(axis + 1) % 3] * 0.8 * a, size[(axis + 2) % 3] * 0.8 * b);
+      const Vector2d place(size[(axis + 1) % 3] * 0.5 * a, size[(axis + 2) % 3] * 0.5 * b);
       const Vector2d shift(0.37 * face, 0.61 * face);
       return {p, uv.offset + shift + place / uv.period};
     }));

@@ -1,11 +1,11 @@
 #include "scenes/mesh/slab.h"
 
-#include "sensors_models/base/check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "sensors_models/base/check.h"
 
 namespace drydock::scenes {
 namespace {

@@ -1,10 +1,10 @@
 // Walls: a panel with rectangular holes, an outside, an inside and the edges between them.
 #pragma once
 
-#include "scenes/mesh/mesh.h"
-
 #include <functional>
 #include <vector>
+
+#include "scenes/mesh/mesh.h"
 
 namespace drydock::scenes {
 

@@ -1,14 +1,14 @@
 #include "scenes/model/model.h"
 
-#include "scenes/mesh/msh_file.h"
-#include "sensors_models/base/check.h"
-#include "sensors_models/base/files.h"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
 #include <utility>
+
+#include "scenes/mesh/msh_file.h"
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
 
 namespace drydock::scenes {
 namespace {
@@ -53,8 +53,9 @@ std::string WorldBody(const SceneModel& model) {
                                     part.geom, part.material);
   }
   std::string xml = "  <worldbody>\n";
-  xml += "    <light name=\"daylight\" type=\"directional\" pos=\"0 0 6\" dir=\"0.2 0.1 -1\" "
-         "diffuse=\"0.35 0.4 0.38\" specular=\"0 0 0\" castshadow=\"false\"/>\n";
+  xml +=
+      "    <light name=\"daylight\" type=\"directional\" pos=\"0 0 6\" dir=\"0.2 0.1 -1\" "
+      "diffuse=\"0.35 0.4 0.38\" specular=\"0 0 0\" castshadow=\"false\"/>\n";
   xml += "    <camera name=\"start\" pos=\"0 0 0\" xyaxes=\"0 -1 0 0 0 1\" fovy=\"55\"/>\n";
   for (const std::string& body : order) {
     xml += fmt::format("    <body name=\"{}\">\n{}    </body>\n", body, geoms.at(body));
@@ -65,7 +66,7 @@ std::string WorldBody(const SceneModel& model) {
 }  // namespace
 
 void SceneModel::Add(const std::string& body, const std::string& material, Mesh mesh) {
-  if (mesh.empty()) return;
+  if (mesh.IsEmpty()) return;
   const auto same = std::count_if(parts_.begin(), parts_.end(),
                                   [&](const Part& part) { return part.body == body; });
   std::string geom = same == 0 ? body : fmt::format("{}_{}", body, same);

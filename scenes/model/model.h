@@ -1,11 +1,11 @@
 // A scene in memory, and on disk as MJCF with mesh and texture files beside it.
 #pragma once
 
-#include "scenes/mesh/mesh.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "scenes/mesh/mesh.h"
 
 namespace drydock::scenes {
 
@@ -33,8 +33,9 @@ class SceneModel {
   std::vector<Part> parts_;
 };
 
-/// Writes `directory`/meshes/*.msh and `directory`/scene.xml, which refers to textures/<material>.png.
-/// A light, a camera and a haze for whoever opens it in a viewer; a renderer may override them.
+/// Writes `directory`/meshes/*.msh and `directory`/scene.xml, which refers to
+/// textures/<material>.png. A light, a camera and a haze for whoever opens it in a viewer; a
+/// renderer may override them.
 void WriteMjcf(const SceneModel& model, const std::string& name,
                const std::filesystem::path& directory);
 

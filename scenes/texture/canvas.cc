@@ -1,17 +1,17 @@
 #include "scenes/texture/canvas.h"
 
-#include "sensors_models/base/check.h"
-#include "sensors_models/base/random_stream.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes {
 namespace {
@@ -21,7 +21,9 @@ std::uint8_t Toward(int from, int to, int alpha) {
   return static_cast<std::uint8_t>(from + (((to - from) * alpha) >> 8));
 }
 
-int Alpha256(double alpha) { return static_cast<int>(std::lround(256.0 * std::clamp(alpha, 0.0, 1.0))); }
+int Alpha256(double alpha) {
+  return static_cast<int>(std::lround(256.0 * std::clamp(alpha, 0.0, 1.0)));
+}
 
 template <typename RowFunction>
 void ForRows(int rows, const RowFunction& function) {
@@ -39,7 +41,7 @@ std::uint64_t NoiseKeys::Key(std::string_view name) const {
   return RandomStream(base_, name).BitsAt(0);
 }
 
-Canvas::Canvas(double width, double height, double pixels_per_metre, Rgb color, bool wrap)
+Canvas::Canvas(double width, double height, double pixels_per_metre, const Rgb& color, bool wrap)
     : width_(width),
       height_(height),
       scale_(pixels_per_metre),
@@ -47,9 +49,7 @@ Canvas::Canvas(double width, double height, double pixels_per_metre, Rgb color, 
       image_(std::max(1, static_cast<int>(std::lround(height * pixels_per_metre))),
              std::max(1, static_cast<int>(std::lround(width * pixels_per_metre))), color) {}
 
-cv::Point Canvas::Fixed(double x, double y) const {
-  return {FixedLength(x), FixedLength(y)};
-}
+cv::Point Canvas::Fixed(double x, double y) const { return {FixedLength(x), FixedLength(y)}; }
 
 int Canvas::FixedLength(double metres) const {
   return static_cast<int>(std::lround(metres * scale_ * (1 << kShift)));
@@ -63,10 +63,11 @@ cv::Mat1f Canvas::Noise(double largest, double smallest, double gain, std::uint6
                         double stretch_y) const {
   // Below three pixels a cell, noise is white: nothing a mipmap would keep.
   const double floor = std::max(smallest * scale_, 2.0);
-  return NoiseField(size(), {std::max(largest * scale_, floor), floor, gain, stretch_y, wrap_}, key);
+  return NoiseField(size(), {std::max(largest * scale_, floor), floor, gain, stretch_y, wrap_},
+                    key);
 }
 
-void Canvas::Blend(const cv::Mat1b& mask, Rgb color, double alpha) {
+void Canvas::Blend(const cv::Mat1b& mask, const Rgb& color, double alpha) {
   const int alpha256 = Alpha256(alpha);
   ForRows(image_.rows, [&](int y) {
     const std::uint8_t* m = mask[y];
@@ -79,7 +80,8 @@ void Canvas::Blend(const cv::Mat1b& mask, Rgb color, double alpha) {
   });
 }
 
-void Canvas::Blend(const cv::Mat1b& mask, const cv::Mat1f& mix, Rgb low, Rgb high, double alpha) {
+void Canvas::Blend(const cv::Mat1b& mask, const cv::Mat1f& mix, const Rgb& low, const Rgb& high,
+                   double alpha) {
   const int alpha256 = Alpha256(alpha);
   ForRows(image_.rows, [&](int y) {
     const std::uint8_t* m = mask[y];
@@ -88,7 +90,7 @@ void Canvas::Blend(const cv::Mat1b& mask, const cv::Mat1f& mix, Rgb low, Rgb hig
     for (int x = 0; x < image_.cols; ++x) {
       if (m[x] == 0) continue;
       const int a = ((m[x] + (m[x] >> 7)) * alpha256) >> 8;
-      const int t = std::clamp(static_cast<int>((f[x] + 1.5F) * (256.0F / 3.0F)), 0, 256);
+      const int t = std::clamp(static_cast<int>((f[x] + 2.0F) * 64.0F), 0, 256);
       for (int c = 0; c < 3; ++c) out[x][c] = Toward(out[x][c], Toward(low[c], high[c], t), a);
     }
   });

@@ -1,13 +1,13 @@
 // A picture in metres to paint a texture on.
 #pragma once
 
-#include "scenes/texture/noise_field.h"
-
-#include <opencv2/core.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+
+#include <opencv2/core.hpp>
+
+#include "scenes/texture/noise_field.h"
 
 namespace drydock::scenes {
 
@@ -28,7 +28,7 @@ class NoiseKeys {
 class Canvas {
  public:
   /// [m] and [pixels/m]. With `wrap`, noise meets itself at opposite sides.
-  Canvas(double width, double height, double pixels_per_metre, Rgb color, bool wrap = false);
+  Canvas(double width, double height, double pixels_per_metre, const Rgb& color, bool wrap = false);
 
   cv::Mat3b& image() { return image_; }
   const cv::Mat3b& image() const { return image_; }
@@ -51,9 +51,10 @@ class Canvas {
   cv::Mat1b Mask() const { return cv::Mat1b(image_.size(), std::uint8_t{0}); }
 
   /// Paints where the mask is, alpha in [0, 1].
-  void Blend(const cv::Mat1b& mask, Rgb color, double alpha = 1.0);
-  /// Paints a colour between `low` (mix below -1.5) and `high` (above 1.5).
-  void Blend(const cv::Mat1b& mask, const cv::Mat1f& mix, Rgb low, Rgb high, double alpha = 1.0);
+  void Blend(const cv::Mat1b& mask, const Rgb& color, double alpha = 1.0);
+  /// Paints a colour between `low` (mix below -2) and `high` (above 2).
+  void Blend(const cv::Mat1b& mask, const cv::Mat1f& mix, const Rgb& low, const Rgb& high,
+             double alpha = 1.0);
   /// Multiplies every pixel by 1 + amount * field, the field clamped to +-2.5.
   void Modulate(const cv::Mat1f& field, double amount);
   /// Multiplies by 1 - amount where the mask is: grime.
@@ -67,7 +68,8 @@ class Canvas {
   cv::Mat3b image_;
 };
 
-/// Blurs a mask by about `sigma` pixels, exactly the same on every machine (box filters on integers).
+/// Blurs a mask by about `sigma` pixels, exactly the same on every machine (box filters on
+/// integers).
 void SoftenMask(cv::Mat1b& mask, int sigma);
 
 /// PNG, compressed lightly: these textures are written once and read at every start.

@@ -1,17 +1,17 @@
 #include "scenes/texture/noise_field.h"
 
-#include "scenes/mesh/lattice_noise.h"
-#include "sensors_models/base/random_stream.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "scenes/mesh/lattice_noise.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes {
 namespace {
 
 /// Standard deviation of one octave with gradients uniform in [-1, 1]^2, averaged over a cell.
-constexpr double kOctaveSigma = 0.2415;
+constexpr double kOctaveSigma = 0.1777;
 
 /// One octave: gradients on a lattice, and where each column falls in it.
 struct Octave {
@@ -21,9 +21,9 @@ struct Octave {
   int rows = 1;
   std::vector<float> gradient_x;
   std::vector<float> gradient_y;
-  std::vector<int> column;      ///< of each pixel column
-  std::vector<float> offset;    ///< of each pixel column within its cell
-  std::vector<float> weight;    ///< faded offset
+  std::vector<int> column;    ///< of each pixel column
+  std::vector<float> offset;  ///< of each pixel column within its cell
+  std::vector<float> weight;  ///< faded offset
 };
 
 float Fade(float t) { return t * t * t * (t * (6.0F * t - 15.0F) + 10.0F); }
@@ -72,7 +72,8 @@ void AddRow(const Octave& o, int y, int width, float* row, std::vector<float>& s
   const std::size_t lower = upper + o.columns + 1;
   for (int i = 0; i <= o.columns; ++i) {
     const float sx = o.gradient_x[upper + i] * (1 - t) + o.gradient_x[lower + i] * t;
-    const float vy = o.gradient_y[upper + i] * dy * (1 - t) + o.gradient_y[lower + i] * (dy - 1) * t;
+    const float vy =
+        o.gradient_y[upper + i] * dy * (1 - t) + o.gradient_y[lower + i] * (dy - 1) * t;
     slope[i] = sx * o.amplitude;
     value[i] = vy * o.amplitude;
   }

@@ -1,9 +1,9 @@
 // Noise over a whole image: the raw material of every texture.
 #pragma once
 
-#include <opencv2/core.hpp>
-
 #include <cstdint>
+
+#include <opencv2/core.hpp>
 
 namespace drydock::scenes {
 

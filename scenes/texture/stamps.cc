@@ -1,19 +1,21 @@
 #include "scenes/texture/stamps.h"
 
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <opencv2/imgproc.hpp>
 
 namespace drydock::scenes {
 namespace {
 constexpr int kShift = Canvas::kShift;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-cv::Scalar ToScalar(Rgb color) { return {double(color[0]), double(color[1]), double(color[2])}; }
+cv::Scalar ToScalar(const Rgb& color) {
+  return {double(color[0]), double(color[1]), double(color[2])};
+}
 
-Rgb Shade(Rgb color, double factor) {
+Rgb Shade(const Rgb& color, double factor) {
   Rgb out;
   for (int c = 0; c < 3; ++c) {
     out[c] = static_cast<std::uint8_t>(std::clamp(color[c] * factor, 0.0, 255.0));
@@ -21,18 +23,19 @@ Rgb Shade(Rgb color, double factor) {
   return out;
 }
 
-Rgb MixRgb(Rgb a, Rgb b, double t) {
+Rgb MixRgb(const Rgb& a, const Rgb& b, double t) {
   Rgb out;
   for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(a[c] + (b[c] - a[c]) * t);
   return out;
 }
 
-void Ellipse(Canvas& canvas, double x, double y, double a, double b, double angle, Rgb color) {
+void Ellipse(Canvas& canvas, double x, double y, double a, double b, double angle,
+             const Rgb& color) {
   cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
               angle * kDegrees, 0, 360, ToScalar(color), cv::FILLED, cv::LINE_AA, kShift);
 }
 
-void Arc(Canvas& canvas, double x, double y, double a, double b, double angle, Rgb color) {
+void Arc(Canvas& canvas, double x, double y, double a, double b, double angle, const Rgb& color) {
   cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
               angle * kDegrees, 20, 160, ToScalar(color), 1, cv::LINE_AA, kShift);
 }
@@ -43,7 +46,8 @@ void DrawMussel(Canvas& canvas, double x, double y, RandomStream& random) {
     // A barnacle or a limpet: a pale ring with a dark mouth.
     const double r = random.Uniform(0.003, 0.008);
     Ellipse(canvas, x, y, r * 1.25, r * 1.2, 0.0, Rgb(44, 42, 36));
-    Ellipse(canvas, x, y, r, r * 0.9, angle, MixRgb({170, 166, 150}, {206, 202, 188}, random.Uniform()));
+    Ellipse(canvas, x, y, r, r * 0.9, angle,
+            MixRgb({170, 166, 150}, {206, 202, 188}, random.Uniform()));
     Ellipse(canvas, x, y, r * 0.35, r * 0.3, angle, Rgb(52, 48, 42));
     return;
   }
@@ -113,7 +117,8 @@ void DrawLeaf(Canvas& canvas, double x, double y, double length, RandomStream& r
   for (int side = -1; side <= 1; side += 2) {
     for (int i = 0; i < n; ++i) {
       const double t = side < 0 ? double(i) / n : 1.0 - double(i) / n;
-      const double w = width * std::sin(std::numbers::pi * std::pow(t, 0.8)) * random.Uniform(0.8, 1.15);
+      const double w =
+          width * std::sin(std::numbers::pi * std::pow(t, 0.8)) * random.Uniform(0.8, 1.15);
       outline.push_back(cv::Point2d(x, y) + along * ((t - 0.5) * length) + across * (side * w));
     }
   }
@@ -165,7 +170,7 @@ void DrawRivet(Canvas& canvas, cv::Mat1b& edges, double x, double y, double radi
              cv::FILLED, cv::LINE_8, kShift);
 }
 
-void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, Rgb color) {
+void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, const Rgb& color) {
   std::vector<cv::Point> fixed;
   fixed.reserve(corners.size());
   for (const cv::Point2d& c : corners) fixed.push_back(canvas.Fixed(c.x, c.y));
@@ -173,9 +178,9 @@ void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, Rgb co
                cv::LINE_AA, kShift);
 }
 
-void DrawLine(Canvas& canvas, cv::Point2d from, cv::Point2d to, double width, Rgb color) {
-  cv::line(canvas.image(), canvas.Fixed(from.x, from.y), canvas.Fixed(to.x, to.y),
-           ToScalar(color), canvas.Pixels(width), cv::LINE_AA, kShift);
+void DrawLine(Canvas& canvas, cv::Point2d from, cv::Point2d to, double width, const Rgb& color) {
+  cv::line(canvas.image(), canvas.Fixed(from.x, from.y), canvas.Fixed(to.x, to.y), ToScalar(color),
+           canvas.Pixels(width), cv::LINE_AA, kShift);
 }
 
 void DrawLine(const Canvas& canvas, cv::Mat1b& mask, cv::Point2d from, cv::Point2d to,
@@ -184,13 +189,13 @@ void DrawLine(const Canvas& canvas, cv::Mat1b& mask, cv::Point2d from, cv::Point
            canvas.Pixels(width), cv::LINE_AA, kShift);
 }
 
-void FillRectangle(Canvas& canvas, cv::Point2d low, cv::Point2d high, Rgb color) {
+void FillRectangle(Canvas& canvas, cv::Point2d low, cv::Point2d high, const Rgb& color) {
   cv::rectangle(canvas.image(), canvas.Fixed(low.x, low.y), canvas.Fixed(high.x, high.y),
                 ToScalar(color), cv::FILLED, cv::LINE_8, kShift);
 }
 
 void DrawText(Canvas& canvas, const std::string& text, double x, double y, double height,
-              double weight, Rgb color, double squeeze) {
+              double weight, const Rgb& color, double squeeze) {
   // Drawn large as a mask, then scaled to where it goes.
   const int face = cv::FONT_HERSHEY_SIMPLEX;
   const double scale = 4.0;

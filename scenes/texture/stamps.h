@@ -1,12 +1,12 @@
 // Small things drawn one by one: mussels, pebbles, shells, leaves, twigs, rivets.
 #pragma once
 
-#include "scenes/texture/canvas.h"
-#include "sensors_models/base/random_stream.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "scenes/texture/canvas.h"
+#include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes {
 
@@ -25,15 +25,15 @@ void DrawTwig(Canvas& canvas, double x, double y, double length, RandomStream& r
 void DrawRivet(Canvas& canvas, cv::Mat1b& edges, double x, double y, double radius);
 
 /// A filled polygon or a line, corners [m].
-void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, Rgb color);
-void DrawLine(Canvas& canvas, cv::Point2d from, cv::Point2d to, double width, Rgb color);
+void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, const Rgb& color);
+void DrawLine(Canvas& canvas, cv::Point2d from, cv::Point2d to, double width, const Rgb& color);
 void DrawLine(const Canvas& canvas, cv::Mat1b& mask, cv::Point2d from, cv::Point2d to,
               double width);
-void FillRectangle(Canvas& canvas, cv::Point2d low, cv::Point2d high, Rgb color);
+void FillRectangle(Canvas& canvas, cv::Point2d low, cv::Point2d high, const Rgb& color);
 
-/// Block letters `height` [m] tall, centred on (x, y), as wide as they come; `weight` is the strokes'
-/// width as a fraction of the height. `squeeze` < 1 makes them narrower.
+/// Block letters `height` [m] tall, centred on (x, y), as wide as they come; `weight` is the
+/// strokes' width as a fraction of the height. `squeeze` < 1 makes them narrower.
 void DrawText(Canvas& canvas, const std::string& text, double x, double y, double height,
-              double weight, Rgb color, double squeeze = 1.0);
+              double weight, const Rgb& color, double squeeze = 1.0);
 
 }  // namespace drydock::scenes

@@ -6,7 +6,9 @@
 namespace drydock {
 
 /// The folder that holds `scenarios/` and `sensors_models/measurement/rigs/`: $DRYDOCK_DATA if set,
-/// else the source tree this was built from if it is still there, else the installed share/drydock.
+/// else share/drydock of the tree that the running program is installed in, else the source tree
+/// this was built from, else share/drydock where this was configured to be installed; the first
+/// that is there.
 std::filesystem::path DataDirectory();
 
 /// Where generated files are kept between runs: $DRYDOCK_CACHE if set, else

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <sstream>
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "sensors_models/base/check.h"
@@ -14,6 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
 constexpr int kMaxDepth = 32;
+/// YAML allows keys of 1024 characters, escapes included: shorter ones can be written again.
+constexpr std::size_t kMaxKeyBytes = 128;
 /// Anchors can make a small text into a huge tree: a tree that is larger than this is refused.
 constexpr int kMaxNodes = 200'000;
 
@@ -54,6 +58,8 @@ class Converter {
       RequireInput(member.first.IsScalar(), "{}: a key must be plain text", place.ToString());
       const std::string& key = member.first.Scalar();
       RequireInput(!key.empty(), "{}: a key must not be empty", place.ToString());
+      RequireInput(key.size() <= kMaxKeyBytes, "{}: a key must not be longer than {} bytes",
+                   place.ToString(), kMaxKeyBytes);
       const YamlNode* earlier = to.Find(key);
       RequireInput(earlier == nullptr, "{}: the key '{}' stands twice (first in line {})",
                    place.ToString(), key, earlier == nullptr ? 0 : earlier->place.line);
@@ -135,17 +141,47 @@ void EmitValue(const YamlNode& node, int indent, std::string& out) {
   }
 }
 
-/// yaml-cpp lets a quote that is never closed run to the end of the text; a document's end within a
-/// quote, however, is an error.
-std::vector<YAML::Node> LoadDocuments(std::string_view text) {
-  return YAML::LoadAll(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
+/// Takes what a parser says and does nothing with it.
+class IgnoreEvents final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+/// How many documents a text holds; 2 stands for more, too.
+int CountDocuments(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  IgnoreEvents ignore;
+  int count = 0;
+  while (count < 2 && parser.HandleNextDocument(ignore)) ++count;
+  return count;
+}
+
+/// The text's only document, or an undefined node if it has none. yaml-cpp's own LoadAll goes on for
+/// ever over a stray comma between documents.
+YAML::Node LoadDocument(std::string_view text, const std::string& place) {
+  // yaml-cpp lets a quote that is never closed run to the end of the text; a document's end within
+  // a quote, however, is an error.
+  const std::string ended = std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n");
+  const int count = CountDocuments(ended);
+  RequireInput(count < 2, "{}: holds more than one YAML document, or text outside of it", place);
+  return count == 0 ? YAML::Node(YAML::NodeType::Undefined) : YAML::Load(ended);
 }
 
 YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
   try {
-    const std::vector<YAML::Node> documents = LoadDocuments(text);
-    RequireInput(documents.size() <= 1, "{}: must be one value", place.ToString());
-    if (!documents.empty()) return Converter(place.file).Convert(documents.front());
+    return Converter(place.file).Convert(LoadDocument(text, place.ToString()));
   } catch (const YAML::Exception& error) {
     RequireInput(false, "{}: {}", place.ToString(), error.msg);
   }
@@ -156,7 +192,8 @@ YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
 YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment) {
   if (node.kind == YamlNode::Kind::kMap) {
     if (YamlNode* found = node.Find(key)) return *found;
-    RequireInput(last, "--set {}: there is no '{}' at {}", assignment, key, node.place.ToString());
+    RequireInput(last && !key.empty() && key.size() <= kMaxKeyBytes,
+                 "--set {}: there is no '{}' at {}", assignment, key, node.place.ToString());
     return node.members.emplace_back(std::string(key), YamlNode{}).second;
   }
   std::size_t index = 0;
@@ -174,6 +211,13 @@ std::string SourcePlace::ToString() const {
   return line > 0 ? fmt::format("{}:{}", name, line) : name;
 }
 
+YamlNode::YamlNode() = default;
+YamlNode::YamlNode(const YamlNode&) = default;
+YamlNode::YamlNode(YamlNode&&) noexcept = default;
+YamlNode& YamlNode::operator=(const YamlNode&) = default;
+YamlNode& YamlNode::operator=(YamlNode&&) noexcept = default;
+YamlNode::~YamlNode() = default;
+
 const YamlNode* YamlNode::Find(std::string_view key) const {
   const auto found = std::find_if(members.begin(), members.end(),
                                   [key](const Member& member) { return member.first == key; });
@@ -187,17 +231,9 @@ YamlNode* YamlNode::Find(std::string_view key) {
 YamlNode ParseYaml(std::string_view text, const std::string& file) {
   const auto name = std::make_shared<const std::string>(file);
   RequireInput(text.size() <= kMaxFileBytes, "{}: larger than {} bytes", file, kMaxFileBytes);
-  std::vector<YAML::Node> documents;
-  try {
-    documents = LoadDocuments(text);
-  } catch (const YAML::Exception& error) {
-    RequireInput(false, "{}: {}", SourcePlace{name, error.mark.line + 1}.ToString(), error.msg);
-  }
-  RequireInput(documents.size() == 1, "{}: holds {} YAML documents, must hold one", file,
-               documents.size());
   YamlNode root;
   try {
-    root = Converter(name).Convert(documents.front());
+    root = Converter(name).Convert(LoadDocument(text, file));
   } catch (const YAML::Exception& error) {
     RequireInput(false, "{}: {}", SourcePlace{name, error.mark.line + 1}.ToString(), error.msg);
   }
@@ -243,6 +279,7 @@ void SetYaml(YamlNode& root, std::string_view assignment) {
 }
 
 std::string EmitYaml(const YamlNode& root) {
+  if (root.members.empty()) return "{}\n";
   std::string out;
   EmitMembers(root, 0, out);
   return out;

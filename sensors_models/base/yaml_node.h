@@ -23,6 +23,14 @@ struct YamlNode {
   enum class Kind { kNull, kScalar, kList, kMap };
   using Member = std::pair<std::string, YamlNode>;
 
+  // Defined where the type is complete: a pair needs that of its members before it can be copied.
+  YamlNode();
+  YamlNode(const YamlNode&);
+  YamlNode(YamlNode&&) noexcept;
+  YamlNode& operator=(const YamlNode&);
+  YamlNode& operator=(YamlNode&&) noexcept;
+  ~YamlNode();
+
   Kind kind = Kind::kNull;
   std::string text;     ///< Of a scalar, as written.
   bool quoted = false;  ///< A scalar in quotes is text, never a number.

@@ -18,7 +18,7 @@ Eigen::Quaterniond ReadQuaternion(YamlReader& yaml) {
   const std::vector<double> q = yaml.Reals("quaternion_xyzw", {-1.0, 1.0}, 4);
   const Eigen::Quaterniond quaternion(q[3], q[0], q[1], q[2]);
   if (std::abs(quaternion.norm() - 1.0) > 1e-3) yaml.Fail("quaternion_xyzw", "of length 1");
-  return quaternion.normalized();
+  return quaternion;  // Pose normalises.
 }
 
 Pose ReadMounting(YamlReader& yaml) {

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 /// An empty folder of this test's own.
 fs::path FreshFolder() {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder =
+  fs::path folder =
       fs::path(testing::TempDir()) / (std::string("drydock_scene_test_") + info->name());
   fs::remove_all(folder);
   return folder;

@@ -36,7 +36,7 @@ void PrintScorecard(const score::Scorecard& card) {
   }
 }
 
-int RunScenario(const Arguments& arguments) {
+int RunCommand(const Arguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
   if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
   if (!arguments.estimator.empty())
@@ -47,7 +47,7 @@ int RunScenario(const Arguments& arguments) {
   options.output = arguments.output.empty() ? "out/" + scenario.name : arguments.output;
   options.record = arguments.record;
   options.progress = ProgressOnTerminal();
-  const RunResult result = Run(scenario, options);
+  const RunResult result = RunScenario(scenario, options);
   PrintScorecard(result.scorecard);
   const RunTimings& timings = result.timings;
   const double work = timings.sensors + timings.estimator + timings.recording;
@@ -82,7 +82,7 @@ void AddRunCommand(CLI::App& app, Action& chosen) {
   command->add_option("-o,--output", arguments->output,
                       "Folder for the results, replaced if it is there [out/SCENARIO]");
   command->callback(
-      [arguments, &chosen] { chosen = [arguments] { return RunScenario(*arguments); }; });
+      [arguments, &chosen] { chosen = [arguments] { return RunCommand(*arguments); }; });
 }
 
 }  // namespace drydock::cli

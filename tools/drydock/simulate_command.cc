@@ -20,7 +20,7 @@ struct Arguments {
   std::string output;
 };
 
-int SimulateScenario(const Arguments& arguments) {
+int SimulateCommand(const Arguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
   if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
   const Scenario scenario = LoadScenario(arguments.scenario, overrides);
@@ -28,7 +28,7 @@ int SimulateScenario(const Arguments& arguments) {
   options.renderer = sim::ParseRendererBackend(arguments.renderer);
   options.output = arguments.output;
   options.progress = ProgressOnTerminal();
-  const RunTimings timings = Simulate(scenario, options);
+  const RunTimings timings = RecordScenario(scenario, options);
   fmt::print("{}: {:.1f} s simulated at {:.2f} x real time ({:.1f} s of set-up not counted)\n",
              scenario.name, timings.simulated,
              timings.simulated / (timings.sensors + timings.recording), timings.setup);
@@ -57,7 +57,7 @@ void AddSimulateCommand(CLI::App& app, Action& chosen) {
   command->add_option("--renderer", arguments->renderer, "auto, egl or osmesa")
       ->capture_default_str();
   command->callback(
-      [arguments, &chosen] { chosen = [arguments] { return SimulateScenario(*arguments); }; });
+      [arguments, &chosen] { chosen = [arguments] { return SimulateCommand(*arguments); }; });
 }
 
 }  // namespace drydock::cli

@@ -58,9 +58,10 @@ TEST(ParseYaml, KeepsOrderTextAndPlace) {
 TEST(ParseYaml, RefusesWhatYamlCppLetsPass) {
   EXPECT_THAT(ParseMessage("a: 1\nb: 2\na: 3\n"),
               AllOf(HasSubstr("f.yaml:3"), HasSubstr("'a'"), HasSubstr("line 1")));
-  EXPECT_THAT(ParseMessage("a: 1\n---\nb: 2\n"), HasSubstr("2 YAML documents"));
+  EXPECT_THAT(ParseMessage("a: 1\n---\nb: 2\n"), HasSubstr("more than one YAML document"));
   EXPECT_THAT(ParseMessage("? [x, y]\n: 1\n"), HasSubstr("plain text"));
   EXPECT_THAT(ParseMessage("\"\": 1\n"), HasSubstr("must not be empty"));
+  EXPECT_THAT(ParseMessage(std::string(129, 'k') + ": 1\n"), HasSubstr("longer than 128"));
 }
 
 TEST(ParseYaml, RefusesBadSyntaxWithItsLine) {
@@ -70,6 +71,13 @@ TEST(ParseYaml, RefusesBadSyntaxWithItsLine) {
   // yaml-cpp would take all that follows for text.
   EXPECT_THAT(ParseMessage("a: \"open\nb: 1\n"), HasSubstr("f.yaml"));
   EXPECT_THAT(ParseMessage("a: 'open\nb: 1"), HasSubstr("f.yaml"));
+}
+
+// yaml-cpp's LoadAll goes on for ever, and takes memory all the while, on each of these.
+TEST(ParseYaml, RefusesTextOutsideOfTheDocument) {
+  for (const char* text : {"a: 1\n...\n, b\n", "a: 1\n, b\n", "a\n,\n", "a: [1] ]\n", "{a: 1} }\n"}) {
+    EXPECT_NE(ParseMessage(text), "") << text;
+  }
 }
 
 TEST(ParseYaml, RefusesWhatIsNotAMapping) {
@@ -129,7 +137,7 @@ TEST(SetYaml, SetsReplacesAndAdds) {
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
   for (const char* bad : {"a", "=1", "nothing.here=1", "a.x.y=1", "list.2=1", "list.-1=1",
-                          "list.one=1", "a.x=[1", "a.x=*b", ".a=1", "a.x=\"open", "a.x=1\n---\n2"}) {
+                          "list.one=1", "a.x=[1", "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
     EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
   }
 }
@@ -142,6 +150,10 @@ TEST(EmitYaml, ReadsBackToTheSameTree) {
   const std::string emitted = EmitYaml(root);
   EXPECT_TRUE(SameTree(ParseYaml(emitted, "emitted"), root)) << emitted;
   EXPECT_EQ(EmitYaml(ParseYaml(emitted, "emitted")), emitted);
+}
+
+TEST(EmitYaml, EmptyRootIsAMapping) {
+  EXPECT_TRUE(ParseYaml(EmitYaml(ParseYaml("{}", "f.yaml")), "emitted").members.empty());
 }
 
 TEST(EmitYaml, NastyStringsSurvive) {

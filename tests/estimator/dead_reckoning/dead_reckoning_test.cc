@@ -1,0 +1,67 @@
+#include "estimator/dead_reckoning/dead_reckoning.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "sensors_models/base/check.h"
+
+namespace drydock {
+namespace {
+
+const ImuSample kRest{{0, 0, 0}, {0, 0, 9.81}};
+
+Measurement At(double seconds, const Reading& reading) {
+  const Time t = Time::FromSeconds(seconds);
+  return {t, t, reading};
+}
+
+TEST(DeadReckoning, HasToBeToldWhereItStarts) {
+  DeadReckoning estimator(Rig{});
+  EXPECT_THROW(estimator.Start(std::nullopt), InputError);
+  EXPECT_FALSE(estimator.Latest());
+}
+
+TEST(DeadReckoning, StaysWhereItIs) {
+  DeadReckoning estimator(Rig{});
+  NavState known;
+  known.T_WI = Pose(Eigen::Quaterniond::Identity(), {1, 2, 3});
+  estimator.Start(known);
+  for (int k = 0; k <= 500; ++k) {
+    estimator.Add(At(0.01 * k, kRest));
+    if (k % 100 == 0) estimator.Add(At(0.01 * k, DepthSample{7.0}));
+  }
+  ASSERT_EQ(estimator.Odometry().size(), 501U);
+  EXPECT_LT((estimator.Latest()->state.T_WI.p() - Eigen::Vector3d(1, 2, 3)).norm(), 1e-9);
+}
+
+TEST(DeadReckoning, DepthHoldsTheHeight) {
+  ImuSample biased = kRest;
+  biased.specific_force.z() += 0.02;  // Unknown to the estimator: 36 m in 60 s.
+  DeadReckoning estimator(Rig{});
+  estimator.Start(NavState{});
+  for (int k = 0; k <= 6000; ++k) {
+    estimator.Add(At(0.01 * k, biased));
+    if (k % 100 == 0) estimator.Add(At(0.01 * k, DepthSample{7.0}));
+  }
+  EXPECT_LT(std::abs(estimator.Latest()->state.T_WI.p().z()), 0.03);
+}
+
+TEST(DeadReckoning, NonsenseIsIgnored) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  DeadReckoning estimator(Rig{});
+  estimator.Start(NavState{});
+  estimator.Add(At(0.0, kRest));
+  estimator.Add(At(0.01, ImuSample{{kNan, 0, 0}, {0, 0, 9.81}}));
+  estimator.Add(At(0.01, DepthSample{kNan}));
+  estimator.Add(At(0.02, kRest));
+  estimator.Add(At(0.01, kRest));  // Runs backwards.
+  estimator.Add(At(0.02, kRest));  // Says the same instant again.
+  estimator.Add(At(0.03, StereoFrame{}));
+  EXPECT_EQ(estimator.Odometry().size(), 2U);
+  EXPECT_TRUE(estimator.Latest()->state.T_WI.p().allFinite());
+}
+
+}  // namespace
+}  // namespace drydock

@@ -1,0 +1,23 @@
+// Runs the program as a user does.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drydock::testing {
+
+struct Outcome {
+  int exit_code = -1;  ///< -1 if the program was ended by a signal.
+  std::string out;
+  std::string err;
+};
+
+/// `drydock ARGUMENTS` in `folder`, with no terminal and no input. What it says goes to files
+/// beside `folder`, not into it.
+Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+/// The scenario that most tests swim a second of.
+std::string BusScenario();
+
+}  // namespace drydock::testing

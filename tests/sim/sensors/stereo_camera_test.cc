@@ -1,0 +1,87 @@
+#include "sim/sensors/stereo_camera.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/sensors/still_motion.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_scene.h"
+
+namespace drydock::sim {
+namespace {
+
+/// Centre of the brightest spot.
+Eigen::Vector2d Spot(const cv::Mat& grey) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int v = 0; v < grey.rows; ++v) {
+    for (int u = 0; u < grey.cols; ++u)
+      sum += std::pow(grey.at<unsigned char>(v, u), 6.0) * Eigen::Vector3d(u, v, 1);
+  }
+  return sum.head<2>() / sum.z();
+}
+
+class StereoCameraTest : public ::testing::Test {
+ protected:
+  static std::filesystem::path Scene(const std::filesystem::path& folder) {
+    return testing::WriteScene(folder, testing::MarkerElement(kMarker, {-1, 0, 0}, 0.06));
+  }
+
+  static inline const Eigen::Vector3d kMarker{2.0, 0.2, 0.1};
+  testing::TemporaryFolder folder_;
+  World world_{Scene(folder_.path())};
+  Rig rig_ = LoadRig(FindRig("svin2_v3"));
+  StillMotion motion_{Pose::Identity()};
+};
+
+// Both eyes, through renderer, water, lens and sensor: a marker appears where each camera's model
+// has it, and nearer ones with the disparity of the baseline.
+TEST_F(StereoCameraTest, LeftAndRightAreConsistent) {
+  WaterConfig water;
+  water.visibility_m = 0.0;
+  water.sun_share = 0.0;
+  StereoCamera camera(motion_, world_, rig_.stereo, water, ImageSensorConfig{}, true,
+                      RendererBackend::kAuto);
+  const Observation observation = camera.Observe();
+  const auto& frame = std::get<StereoFrame>(observation.measurement.reading);
+  std::array<Eigen::Vector2d, 2> spots;
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    ASSERT_EQ(frame.images[eye].type(), CV_8UC1);
+    ASSERT_EQ(frame.images[eye].size(), cv::Size(800, 600));
+    const CameraModel model(rig_.stereo.cameras[eye]);
+    spots[eye] = Spot(frame.images[eye]);
+    EXPECT_LT((spots[eye] - *model.Project(rig_.stereo.T_IC[eye].Inverse() * kMarker)).norm(), 0.3);
+  }
+  EXPECT_NEAR(spots[0].x() - spots[1].x(), 575.0 * 0.143 / 1.96, 2.0);
+  const auto& truth = std::get<StereoTruth>(observation.truth);
+  const auto at_spot =
+      truth.depth[0].at<float>(static_cast<int>(spots[0].y()), static_cast<int>(spots[0].x()));
+  EXPECT_NEAR(at_spot, 1.96, 0.001);
+}
+
+TEST_F(StereoCameraTest, SameBytesTwice) {
+  StereoCamera camera(motion_, world_, rig_.stereo, WaterConfig{}, ImageSensorConfig{}, false,
+                      RendererBackend::kAuto);
+  const StereoFrame first = camera.Look(Pose::Identity(), nullptr);
+  camera.Look(Pose(FromYawPitchRoll(0.5, 0.1, 0.0), {0.2, 0, 0}), nullptr);
+  const StereoFrame again = camera.Look(Pose::Identity(), nullptr);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    EXPECT_EQ(
+        0, std::memcmp(first.images[eye].data, again.images[eye].data, first.images[eye].total()));
+  }
+}
+
+TEST_F(StereoCameraTest, ColourIsBgr) {
+  ImageSensorConfig image;
+  image.color = true;
+  StereoCamera camera(motion_, world_, rig_.stereo, WaterConfig{}, image, false,
+                      RendererBackend::kAuto);
+  const StereoFrame frame = camera.Look(Pose::Identity(), nullptr);
+  ASSERT_EQ(frame.images[0].type(), CV_8UC3);
+  const auto water = frame.images[0].at<cv::Vec3b>(550, 50);
+  EXPECT_GT(water[1], water[2]);  // More green than red.
+}
+
+}  // namespace
+}  // namespace drydock::sim
