@@ -12,7 +12,7 @@ DeadReckoning::DeadReckoning(const Rig& rig, const VerticalFilter::Config& confi
     : rig_(rig), vertical_filter_(config) {}
 
 void DeadReckoning::Start(const std::optional<NavState>& known) {
-  RequireInput(known.has_value(), "dead-reckoning has to be told where it starts");
+  if (!known) throw InputError("dead-reckoning has to be told where it starts");
   state_ = *known;
   started_ = true;
 }

@@ -1,4 +1,5 @@
-// Comma-separated values as EuRoC has them: numbers and file names, no quotes, '#' begins a comment.
+// Comma-separated values as EuRoC has them: numbers and file names, no quotes, '#' begins a
+// comment.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +13,12 @@
 namespace drydock::dataset {
 
 /// Goes through the rows of a table and reads their fields strictly: every error is an InputError
-/// "file:line: …" that names the column, the value and what is allowed. Blanks around a field, empty
-/// lines, lines that begin with '#' and CRLF are tolerated.
+/// "file:line: …" that names the column, the value and what is allowed. Blanks around a field,
+/// empty lines, lines that begin with '#' and CRLF are tolerated.
 class CsvReader {
  public:
-  /// A row has `columns.size()` fields or, where `required` > 0, at least `required` of them. `text`
-  /// must outlive the reader.
+  /// A row has `columns.size()` fields or, where `required` > 0, at least `required` of them.
+  /// `text` must outlive the reader.
   CsvReader(std::string_view text, std::string file, std::vector<std::string> columns,
             std::size_t required = 0);
 

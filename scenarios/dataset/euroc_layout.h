@@ -9,7 +9,8 @@
 //   mav0/pressure0/           sensor.yaml, data.csv: depth by pressure (other tools take the name
 //                             depth0 for depth images)
 //   mav0/sonar0_groundtruth/  data.csv: true range of each ping and what it hit
-//   mav0/depth_image0/, 1/    data.csv, data/<ns>.png: 16-bit millimetres along the camera's z axis,
+//   mav0/depth_image0/, 1/    data.csv, data/<ns>.png: 16-bit millimetres along the camera's z
+//   axis,
 //                             0 where there is nothing within 65.535 m
 //   mav0/arrivals.csv         every measurement in the order in which the robot had it
 //   mav0/rig.yaml             the rig to the last bit, as ReadRig reads it

@@ -107,15 +107,16 @@ void EurocReader::ReadFrames(const Warn& warn) {
   const auto pairs = static_cast<std::size_t>(index);
   const std::size_t alone = left.size() + right.size() - 2 * pairs;
   if (alone > 0) {
-    warn(fmt::format("{}: {} images without a partner of the same time in the other camera are "
-                     "left out; {} pairs remain",
-                     mav0_.string(), alone, pairs));
+    warn(
+        fmt::format("{}: {} images without a partner of the same time in the other camera are "
+                    "left out; {} pairs remain",
+                    mav0_.string(), alone, pairs));
   }
 }
 
 void EurocReader::ReadSonar() {
-  ForEachRow(mav0_ / kSonarFolder / kDataFile,
-             {"timestamp", "range", "head_position", "intensity"}, [&](CsvReader& csv) {
+  ForEachRow(mav0_ / kSonarFolder / kDataFile, {"timestamp", "range", "head_position", "intensity"},
+             [&](CsvReader& csv) {
                const Time t = csv.IncreasingStamp(0);
                SonarPing ping;
                ping.range = csv.Real(1);
@@ -208,8 +209,8 @@ std::vector<StampedTruth> EurocReader::ReadTruth() const {
   std::vector<StampedTruth> truth;
   const fs::path path = mav0_ / kTruthFolder / kDataFile;
   if (!fs::exists(path)) return truth;
-  std::vector<std::string> columns = {"timestamp", "p_x", "p_y", "p_z", "q_w", "q_x",
-                                      "q_y",       "q_z", "v_x", "v_y", "v_z", "b_w_x",
+  std::vector<std::string> columns = {"timestamp", "p_x",   "p_y",   "p_z",   "q_w",  "q_x",
+                                      "q_y",       "q_z",   "v_x",   "v_y",   "v_z",  "b_w_x",
                                       "b_w_y",     "b_w_z", "b_a_x", "b_a_y", "b_a_z"};
   const auto read = [&](CsvReader& csv) {
     StampedTruth row;

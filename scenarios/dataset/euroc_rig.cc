@@ -17,8 +17,8 @@ namespace {
 constexpr Bounds kRate{0.01, 10'000.0};
 constexpr Bounds kNoise{0.0, 1e3};
 /// For recordings that do not say how large an IMU's first bias may be, or how the sonar turns.
-constexpr double kGyroTurnOnBias = 0.03;   ///< [rad/s]
-constexpr double kAccelTurnOnBias = 0.1;   ///< [m/s^2]
+constexpr double kGyroTurnOnBias = 0.03;                      ///< [rad/s]
+constexpr double kAccelTurnOnBias = 0.1;                      ///< [m/s^2]
 constexpr double kHeadStep = 0.9 * std::numbers::pi / 180.0;  ///< [rad]
 constexpr double kSameRig = 1e-6;    ///< Relative difference of two values that are the same.
 constexpr double kRounding = 1e-12;  ///< Of values that ought to be zero.
@@ -53,8 +53,8 @@ Pose ReadMounting(YamlReader& yaml) {
     const std::vector<double> v = matrix.Reals("data", {-1e6, 1e6}, 16);
     const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> T(v.data());
     const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
-    const bool is_rotation = (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 &&
-                             R.determinant() > 0.0;
+    const bool is_rotation =
+        (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 && R.determinant() > 0.0;
     const bool is_rigid = T.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
     if (!is_rotation || !is_rigid) matrix.Fail("data", "a rotation, a translation and 0 0 0 1");
     mounting = Pose(Eigen::Quaterniond(R), T.topRightCorner<3, 1>());
@@ -174,8 +174,8 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
   for (std::size_t i = 0; i < 2; ++i) {
     const CameraIntrinsics& c = rig.stereo.cameras[i];
     Numbers camera{kCameraFolders[i],
-                   {rig.stereo.rate_hz, static_cast<double>(c.width),
-                    static_cast<double>(c.height), c.fx, c.fy, c.cx, c.cy}};
+                   {rig.stereo.rate_hz, static_cast<double>(c.width), static_cast<double>(c.height),
+                    c.fx, c.fy, c.cx, c.cy}};
     camera.values.insert(camera.values.end(), c.distortion.begin(), c.distortion.end());
     Append(camera.values, rig.stereo.T_IC[i]);
     all.push_back(std::move(camera));
@@ -185,9 +185,9 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
                  {imu.rate_hz, imu.gyro_noise_density, imu.accel_noise_density, imu.gyro_bias_walk,
                   imu.accel_bias_walk, imu.gyro_turn_on_bias, imu.accel_turn_on_bias}});
   const SonarSheet& sonar = rig.sonar;
-  Numbers pings{kSonarFolder,
-                {sonar.rate_hz, sonar.step_rad, sonar.min_range_m, sonar.max_range_m,
-                 sonar.range_noise_m}};
+  Numbers pings{
+      kSonarFolder,
+      {sonar.rate_hz, sonar.step_rad, sonar.min_range_m, sonar.max_range_m, sonar.range_noise_m}};
   Append(pings.values, sonar.T_IS);
   all.push_back(std::move(pings));
   const DepthSheet& depth = rig.depth;

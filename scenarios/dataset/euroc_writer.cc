@@ -139,8 +139,7 @@ void EurocWriter::WriteTable(const std::string& folder, std::string_view header,
   const auto table = tables_.find(folder);
   if (table == tables_.end()) return;
   std::vector<Row>& rows = table->second;
-  std::sort(rows.begin(), rows.end(),
-            [](const Row& a, const Row& b) { return a.first < b.first; });
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.first < b.first; });
   std::string out = fmt::format("{}\n", header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Check(i == 0 || rows[i - 1].first < rows[i].first, "{} has two rows at {} ns", folder,

@@ -21,7 +21,8 @@ namespace drydock::dataset {
 /// Writes a recording that appears complete on Commit() or not at all. Numbers are written so that
 /// reading gives the same doubles. A file that cannot be written is an InputError.
 ///
-/// Tables are sorted by time whatever the order of the calls; arrivals.csv keeps the order of Add().
+/// Tables are sorted by time whatever the order of the calls; arrivals.csv keeps the order of
+/// Add().
 class EurocWriter {
  public:
   /// `target` will hold `mav0/`; its parent is made if missing.

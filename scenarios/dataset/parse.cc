@@ -72,7 +72,8 @@ std::optional<Time> ParseSeconds(std::string_view text) {
   const auto decimal = ParseDecimal(text);
   if (!decimal) return std::nullopt;
   if (decimal->digits.empty()) return Time{0};
-  const std::int64_t whole = decimal->point + 9;  // How many digits stand before a nanosecond's end.
+  const std::int64_t whole =
+      decimal->point + 9;  // How many digits stand before a nanosecond's end.
   if (whole > kMaxDigits) return std::nullopt;
   if (whole < 0) return Time{0};
   const auto digit = [&](std::int64_t i) {

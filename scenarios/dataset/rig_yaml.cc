@@ -37,7 +37,9 @@ double ToDegrees(double radians) {
   return nearest;
 }
 
-std::string List(const Eigen::Vector3d& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
+std::string List(const Eigen::Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
 
 std::string List(const Eigen::Quaterniond& q) {
   return fmt::format("[{}, {}, {}, {}]", q.x(), q.y(), q.z(), q.w());

@@ -10,8 +10,8 @@ namespace {
 /// The lines that every sensor.yaml begins with; T_BS takes points of the sensor into the body.
 std::string FormatHead(std::string_view type, std::string_view comment, const Pose& T_BS) {
   const Eigen::Matrix3d R = T_BS.R();
-  std::string out =
-      fmt::format("sensor_type: {}\ncomment: {}\nT_BS:\n  cols: 4\n  rows: 4\n  data: [", type, comment);
+  std::string out = fmt::format(
+      "sensor_type: {}\ncomment: {}\nT_BS:\n  cols: 4\n  rows: 4\n  data: [", type, comment);
   for (int row = 0; row < 3; ++row) {
     fmt::format_to(std::back_inserter(out), "{}, {}, {}, {},\n         ", R(row, 0), R(row, 1),
                    R(row, 2), T_BS.p()(row));

@@ -76,7 +76,8 @@ Trajectory ParseTum(std::string_view text, const std::string& file) {
     const StampedPose pose = ParsePose(Split(content), place);
     RequireInput(trajectory.empty() || pose.t > trajectory.back().t,
                  "{}: t is {}, must be later than the {} before it", place.ToString(),
-                 FormatSeconds(pose.t), trajectory.empty() ? "" : FormatSeconds(trajectory.back().t));
+                 FormatSeconds(pose.t),
+                 trajectory.empty() ? "" : FormatSeconds(trajectory.back().t));
     trajectory.push_back(pose);
   }
   return trajectory;

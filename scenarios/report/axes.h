@@ -17,11 +17,12 @@ struct Range {
   double Middle() const { return 0.5 * (low + high); }
 };
 
-/// The smallest range around the values, widened to at least `min_length`; [0, min_length] for none.
+/// The smallest range around the values, widened to at least `min_length`; [0, min_length] for
+/// none.
 Range RangeOf(const std::vector<double>& values, double min_length);
 
-/// Round values (1, 2 or 5 times a power of ten apart) within `range`, about `wanted` of them and at
-/// least two.
+/// Round values (1, 2 or 5 times a power of ten apart) within `range`, about `wanted` of them and
+/// at least two.
 std::vector<double> Ticks(Range range, int wanted);
 
 /// The values with as many decimals as their distance asks for.

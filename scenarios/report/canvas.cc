@@ -56,7 +56,7 @@ double FontScale(double size) { return size / kCapitalHeight; }
 Color PaletteColor(std::size_t i) {
   // After Okabe and Ito, darkened where lines on white would be faint.
   static const std::array<Color, 7> kPalette = {
-      Color{178, 114, 0}, Color{0, 94, 213},    Color{115, 158, 0}, Color{150, 70, 175},
+      Color{178, 114, 0}, Color{0, 94, 213},   Color{115, 158, 0}, Color{150, 70, 175},
       Color{0, 140, 200}, Color{200, 150, 40}, Color{60, 90, 120}};
   return kPalette[i % kPalette.size()];
 }

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kWidth = 1200.0;
 constexpr double kMargin = 24.0;
-constexpr double kGutter = 24.0;    ///< Between pairs [px].
-constexpr double kPairGap = 2.0;    ///< Between the eyes of a pair [px].
-constexpr double kLabel = 24.0;     ///< Of the line above a pair [px].
+constexpr double kGutter = 24.0;  ///< Between pairs [px].
+constexpr double kPairGap = 2.0;  ///< Between the eyes of a pair [px].
+constexpr double kLabel = 24.0;   ///< Of the line above a pair [px].
 constexpr double kHeader = 48.0;
 
 /// Height over width of the frames' images: the largest, so that no cell is too low.
@@ -55,10 +55,10 @@ cv::Mat DrawContactSheet(const std::string& title, const std::vector<SheetFrame>
   canvas.Text(title, {kMargin, 32.0}, 14.0, kInk);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto [row, column] = std::div(static_cast<int>(i), columns);
-    DrawPair(canvas, frames[i],
-             {kMargin + column * (pair_width + kGutter),
-              kHeader + row * (cell_height + kGutter * 0.5)},
-             eye_width);
+    DrawPair(
+        canvas, frames[i],
+        {kMargin + column * (pair_width + kGutter), kHeader + row * (cell_height + kGutter * 0.5)},
+        eye_width);
   }
   return canvas.Finish();
 }

@@ -18,11 +18,13 @@ struct SheetFrame {
 };
 
 /// Draws the pairs, left | right, row by row in `columns` columns, each under its time in seconds.
-/// 1200 px wide, CV_8UC3. std::logic_error for an empty or otherwise formatted image or columns < 1.
+/// 1200 px wide, CV_8UC3. std::logic_error for an empty or otherwise formatted image or columns
+/// < 1.
 cv::Mat DrawContactSheet(const std::string& title, const std::vector<SheetFrame>& frames,
                          int columns = 2);
 
-/// `count` indices spread evenly over `size` frames, first and last included; all if there are fewer.
+/// `count` indices spread evenly over `size` frames, first and last included; all if there are
+/// fewer.
 std::vector<std::size_t> SpreadEvenly(std::size_t size, std::size_t count);
 
 }  // namespace drydock::report

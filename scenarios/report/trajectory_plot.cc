@@ -18,8 +18,8 @@ constexpr double kBetween = 78.0;  ///< From a frame's bottom to the next one's 
 constexpr double kFooter = 46.0;
 constexpr double kInnerWidth = kWidth - kLeft - kRight;
 constexpr double kErrorHeight = 170.0;
-constexpr double kMargin = 0.06;         ///< Around the paths, as a share of their size.
-constexpr double kMinLength = 0.5;       ///< Of a scale of positions [m].
+constexpr double kMargin = 0.06;    ///< Around the paths, as a share of their size.
+constexpr double kMinLength = 0.5;  ///< Of a scale of positions [m].
 constexpr double kTruthThickness = 3.0;
 constexpr double kLineThickness = 1.7;
 constexpr Duration kGap{kNanosecondsPerSecond};
@@ -72,7 +72,7 @@ void DrawStart(Canvas& canvas, cv::Point2d at) {
   canvas.FillCircle(at, 4.5, kPaper);
 }
 
-void DrawEnd(Canvas& canvas, cv::Point2d at) { canvas.FillCircle(at, 5.0, kInk); }
+void DrawEnd(Canvas& canvas, cv::Point2d at) { canvas.FillCircle(at, 3.0, kInk); }
 
 /// A ring where the truth begins and a dot where it ends.
 void DrawEnds(Canvas& canvas, const Axes& axes, const Trajectory& truth, const Value& x,
@@ -175,8 +175,7 @@ cv::Mat DrawTrajectories(const std::string& title, const Trajectory& truth,
                          const std::vector<NamedTrajectory>& estimates) {
   std::vector<Line> lines = {{"truth", truth, Color{150, 150, 150}, kTruthThickness}};
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    lines.push_back(
-        {estimates[i].name, estimates[i].trajectory, PaletteColor(i), kLineThickness});
+    lines.push_back({estimates[i].name, estimates[i].trajectory, PaletteColor(i), kLineThickness});
   }
   const std::vector<View> views = ChooseViews(lines);
   double height = kHeader + kFooter - kBetween;

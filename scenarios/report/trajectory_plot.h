@@ -18,7 +18,8 @@ struct NamedTrajectory {
 /// Draws the truth and the estimates from above (x right, y up), from the side (the longer of x and
 /// y right, z up), both with equal scales, and, where there are estimates, each one's distance from
 /// the truth over time. Lines break where an estimate has no pose for more than a second. 1200 px
-/// wide, CV_8UC3; the height depends on the path's shape. Also draws empty trajectories: empty axes.
+/// wide, CV_8UC3; the height depends on the path's shape. Also draws empty trajectories: empty
+/// axes.
 cv::Mat DrawTrajectories(const std::string& title, const Trajectory& truth,
                          const std::vector<NamedTrajectory>& estimates);
 

@@ -1,11 +1,10 @@
 #include "scenarios/scoring/alignment.h"
 
+#include <Eigen/Dense>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include <Eigen/Dense>
 
 #include "sensors_models/base/check.h"
 
@@ -111,8 +110,7 @@ std::optional<Similarity> Align(const std::vector<PosePair>& pairs, Alignment al
 }
 
 Similarity AlignPositionAndYaw(const PosePair& pair) {
-  const Eigen::Quaterniond rotation =
-      YawRotation(YawOf(pair.truth.q()) - YawOf(pair.estimate.q()));
+  const Eigen::Quaterniond rotation = YawRotation(YawOf(pair.truth.q()) - YawOf(pair.estimate.q()));
   return {1.0, Pose(rotation, pair.truth.p() - rotation * pair.estimate.p())};
 }
 

@@ -16,8 +16,10 @@ struct PosePair {
 };
 
 enum class AssociationMode {
-  /// For each stamp of the shorter trajectory (the estimate's, if both are equally long) the nearest
-  /// stamp of the longer one, the earlier on ties, if both are at most `max_difference` apart. Times
+  /// For each stamp of the shorter trajectory (the estimate's, if both are equally long) the
+  /// nearest
+  /// stamp of the longer one, the earlier on ties, if both are at most `max_difference` apart.
+  /// Times
   /// are compared as double seconds, as evo does; several poses may share a partner.
   kNearest,
   /// Truth interpolated at each stamp of the estimate within the truth's span.

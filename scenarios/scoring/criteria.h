@@ -29,7 +29,8 @@ struct CriterionResult {
 /// for an unknown metric, no bound, or min > max.
 Criterion ReadCriterion(YamlReader& yaml);
 
-/// InputError unless the metric is known, at least one bound is set, both are finite and min <= max.
+/// InputError unless the metric is known, at least one bound is set, both are finite and min <=
+/// max.
 void ValidateCriterion(const Criterion& criterion);
 
 CriterionResult Judge(const Criterion& criterion, const Metrics& metrics);

@@ -13,8 +13,8 @@ class Sum {
  public:
   void Add(double value) {
     const double total = total_ + value;
-    rest_ += std::abs(total_) >= std::abs(value) ? (total_ - total) + value
-                                                 : (value - total) + total_;
+    rest_ +=
+        std::abs(total_) >= std::abs(value) ? (total_ - total) + value : (value - total) + total_;
     total_ = total;
   }
   double Total() const { return total_ + rest_; }
@@ -71,9 +71,9 @@ Steps ConsecutiveStepsByMetres(const std::vector<PosePair>& pairs, const StepOpt
   double since_last = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i > 0) {
-      since_last += (PoseAlong(pairs[i], options.along).p() -
-                     PoseAlong(pairs[i - 1], options.along).p())
-                        .norm();
+      since_last +=
+          (PoseAlong(pairs[i], options.along).p() - PoseAlong(pairs[i - 1], options.along).p())
+              .norm();
     }
     if (since_last < options.step) continue;
     if (last) steps.emplace_back(*last, i);
@@ -106,8 +106,7 @@ std::optional<Statistics> Summarize(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   statistics.min = values.front();
   statistics.max = values.back();
-  statistics.median =
-      n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+  statistics.median = n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
   return statistics;
 }
 

@@ -52,8 +52,9 @@ struct StepOptions {
 };
 
 /// Indices into `pairs`, from and to, as evo chooses them. By frames: (0,d), (d,2d)... or (i,i+d)
-/// for all i. By metres, all pairs: for each i the later j whose path from i is nearest to the step,
-/// the first on ties; one after the other: each time the path since the last has reached the step.
+/// for all i. By metres, all pairs: for each i the later j whose path from i is nearest to the
+/// step, the first on ties; one after the other: each time the path since the last has reached the
+/// step.
 std::vector<std::pair<std::size_t, std::size_t>> SelectSteps(const std::vector<PosePair>& pairs,
                                                              const StepOptions& options);
 

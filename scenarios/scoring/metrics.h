@@ -7,8 +7,8 @@
 
 namespace drydock::score {
 
-/// What a run was worth; nothing where the figure does not exist for the run. AllMetrics() says what
-/// each one is.
+/// What a run was worth; nothing where the figure does not exist for the run. AllMetrics() says
+/// what each one is.
 struct Metrics {
   std::optional<double> ate_rmse_m;
   std::optional<double> ate_odometry_rmse_m;
@@ -47,7 +47,7 @@ struct MetricInfo {
   std::string_view unit;  ///< "" for a plain number.
   Better better = Better::kLower;
   std::string_view description;  ///< One line.
-  std::optional<double> Metrics::* value = nullptr;
+  std::optional<double> Metrics::*value = nullptr;
 };
 
 /// Every metric, in the order of the scorecard.

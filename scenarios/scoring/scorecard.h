@@ -23,8 +23,8 @@ struct RunInfo {
   std::string config_hash;
   /// When the last fault of the scenario ended; nothing in a run without faults.
   std::optional<Time> last_fault_end;
-  /// Figures known elsewhere (loops, maps, initialisation…). One that is set here stands, even where
-  /// the trajectories would give another.
+  /// Figures known elsewhere (loops, maps, initialisation…). One that is set here stands, even
+  /// where the trajectories would give another.
   Metrics known;
 };
 
@@ -41,10 +41,11 @@ struct Scorecard {
   bool Passed() const;
 };
 
-/// Scores a run. `odometry` is what was published at the time, `final_trajectory` what the estimator
-/// says in the end; every metric but ate_odometry_rmse_m, continuity_percent, init_time_s and
-/// recovery_time_s is of the latter. Trajectories that are empty or too short leave metrics unset,
-/// and criteria on those fail. InputError for an empty truth or a criterion that makes no sense.
+/// Scores a run. `odometry` is what was published at the time, `final_trajectory` what the
+/// estimator says in the end; every metric but ate_odometry_rmse_m, continuity_percent, init_time_s
+/// and recovery_time_s is of the latter. Trajectories that are empty or too short leave metrics
+/// unset, and criteria on those fail. InputError for an empty truth or a criterion that makes no
+/// sense.
 Scorecard Score(const RunInfo& run, const Trajectory& truth, const Trajectory& odometry,
                 const Trajectory& final_trajectory, const std::vector<Criterion>& criteria);
 

@@ -105,8 +105,8 @@ void RequireOverlap(const Trajectory& truth, const Trajectory& estimate,
   RequireInput(!association.pairs.empty(),
                "no pose of the estimate (times {:.6f} to {:.6f} s) has one of the truth ({:.6f} to "
                "{:.6f} s) {}: are both clocks the same?",
-               estimate.front().t.Seconds(), estimate.back().t.Seconds(),
-               truth.front().t.Seconds(), truth.back().t.Seconds(),
+               estimate.front().t.Seconds(), estimate.back().t.Seconds(), truth.front().t.Seconds(),
+               truth.back().t.Seconds(),
                options.mode == AssociationMode::kInterpolate
                    ? std::string("around it")
                    : fmt::format("within {} s", options.max_difference_s));
@@ -130,8 +130,7 @@ TrajectoryScore ScoreTrajectories(const Trajectory& truth, const Trajectory& est
 }
 
 std::optional<TrajectoryScore> TryScoreTrajectories(const Trajectory& truth,
-                                                    const Trajectory& estimate,
-                                                    Alignment alignment,
+                                                    const Trajectory& estimate, Alignment alignment,
                                                     const AssociationOptions& options) {
   try {
     return ScoreTrajectories(truth, estimate, alignment, options);

@@ -34,8 +34,7 @@ TrajectoryScore ScoreTrajectories(const Trajectory& truth, const Trajectory& est
 
 /// The same, but nothing instead of an error.
 std::optional<TrajectoryScore> TryScoreTrajectories(const Trajectory& truth,
-                                                    const Trajectory& estimate,
-                                                    Alignment alignment,
+                                                    const Trajectory& estimate, Alignment alignment,
                                                     const AssociationOptions& options = {});
 
 /// Time with a valid estimate as a share of the truth's time from the estimate's first pose on

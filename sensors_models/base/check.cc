@@ -2,7 +2,7 @@
 
 namespace drydock::internal {
 
-void ThrowInputError(std::string message) { throw InputError(message); }
-void ThrowLogicError(std::string message) { throw std::logic_error(message); }
+void ThrowInputError(const std::string& message) { throw InputError(message); }
+void ThrowLogicError(const std::string& message) { throw std::logic_error(message); }
 
 }  // namespace drydock::internal

@@ -19,8 +19,8 @@ class InputError : public std::runtime_error {
 };
 
 namespace internal {
-[[noreturn]] void ThrowInputError(std::string message);
-[[noreturn]] void ThrowLogicError(std::string message);
+[[noreturn]] void ThrowInputError(const std::string& message);
+[[noreturn]] void ThrowLogicError(const std::string& message);
 }  // namespace internal
 
 /// Throws InputError with the formatted message unless `condition` holds.

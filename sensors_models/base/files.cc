@@ -88,7 +88,7 @@ void WriteFileAtomically(const fs::path& path, std::string_view content) {
   }
 }
 
-AtomicDirectory::AtomicDirectory(fs::path target) : target_(WithoutTrailingSlash(target)) {
+AtomicDirectory::AtomicDirectory(const fs::path& target) : target_(WithoutTrailingSlash(target)) {
   MakeParent(target_);
   temporary_ = MakeTemporaryFolder(target_);
 }

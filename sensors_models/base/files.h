@@ -23,7 +23,7 @@ class AtomicDirectory {
   enum class IfExists { kReplace, kKeepTheirs };
 
   /// `target`'s parent is made if missing; InputError if the folder cannot be made.
-  explicit AtomicDirectory(std::filesystem::path target);
+  explicit AtomicDirectory(const std::filesystem::path& target);
   ~AtomicDirectory();
   AtomicDirectory(const AtomicDirectory&) = delete;
   AtomicDirectory& operator=(const AtomicDirectory&) = delete;

@@ -34,8 +34,8 @@ class Pose {
  public:
   Pose() = default;
   /// Normalises `q`, unless its length is 1 to rounding already: what was normalised once keeps its
-  /// bits, so that a pose survives being written and read. Which sign of the quaternion is kept does
-  /// not matter anywhere.
+  /// bits, so that a pose survives being written and read. Which sign of the quaternion is kept
+  /// does not matter anywhere.
   Pose(const Eigen::Quaterniond& q, const Eigen::Vector3d& p);
 
   static Pose Identity() { return {}; }

@@ -168,8 +168,8 @@ int CountDocuments(const std::string& text) {
   return count;
 }
 
-/// The text's only document, or an undefined node if it has none. yaml-cpp's own LoadAll goes on for
-/// ever over a stray comma between documents.
+/// The text's only document, or an undefined node if it has none. yaml-cpp's own LoadAll goes on
+/// for ever over a stray comma between documents.
 YAML::Node LoadDocument(std::string_view text, const std::string& place) {
   // yaml-cpp lets a quote that is never closed run to the end of the text; a document's end within
   // a quote, however, is an error.

@@ -33,10 +33,10 @@ class Lens {
   struct Sample {
     int column = 0;  ///< Whole pixels, rounded down.
     int row = 0;
-    std::array<float, 4> across;  ///< Weights of columns column - 1 to column + 2.
-    std::array<float, 4> down;    ///< Weights of rows row - 1 to row + 2.
-    bool right_half = false;      ///< The nearest pixel is the next column,
-    bool lower_half = false;      ///< or the next row.
+    std::array<float, 4> across = {};  ///< Weights of columns column - 1 to column + 2.
+    std::array<float, 4> down = {};    ///< Weights of rows row - 1 to row + 2.
+    bool right_half = false;           ///< The nearest pixel is the next column,
+    bool lower_half = false;           ///< or the next row.
   };
 
   template <int kChannels>

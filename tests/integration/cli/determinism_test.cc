@@ -65,8 +65,9 @@ TEST_F(CliDeterminism, SimulateRepeatsEveryByteAndHeedsTheSeed) {
   EXPECT_GT(first.size(), 40U);
   EXPECT_THAT(Differences(first, FilesOf({"simulate"}, "1")), ::testing::IsEmpty());
   const auto different = Differences(first, FilesOf({"simulate"}, "2"));
-  for (const char* name : {"mav0/imu0/data.csv", "mav0/cam0/data/0.png", "mav0/sonar0/data.csv",
-                           "mav0/depth0/data.csv", "mav0/state_groundtruth_estimate0/data.csv"}) {
+  for (const char* name :
+       {"mav0/imu0/data.csv", "mav0/pressure0/data.csv", "mav0/cam0/data/1000000000.png",
+        "mav0/state_groundtruth_estimate0/data.csv"}) {
     EXPECT_THAT(different, ::testing::Contains(name));
   }
   EXPECT_THAT(different, ::testing::Not(::testing::Contains("mav0/cam0/sensor.yaml")));

@@ -1,10 +1,10 @@
 #include "scenarios/dataset/csv.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
 

@@ -1,7 +1,6 @@
 // Recordings in which something is wrong: each is an InputError that says where.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <opencv2/imgcodecs.hpp>
 
 #include "scenarios/dataset/euroc_reader.h"
@@ -67,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
               "cam0/sensor.yaml:6", "a rotation"},
         Break{"CameraMatrixSize", "cam0/sensor.yaml", ", 0.0, 0.0, 1.0]", ", 0.0, 1.0]",
               "cam0/sensor.yaml:6", "16 numbers"},
-        Break{"CameraModel", "cam1/sensor.yaml", "pinhole", "omni", "cam1/sensor.yaml",
-              "omni"},
+        Break{"CameraModel", "cam1/sensor.yaml", "pinhole", "omni", "cam1/sensor.yaml", "omni"},
         Break{"CameraSizes", "cam1/sensor.yaml", "[32, 24]", "[64, 24]", "cam1/sensor.yaml",
               "that of cam0"},
         Break{"CameraRates", "cam1/sensor.yaml", "rate_hz: 15", "rate_hz: 10", "cam1/sensor.yaml",
@@ -77,24 +75,24 @@ INSTANTIATE_TEST_SUITE_P(
               ",../1600000000200000000.png", "cam0/data.csv:3", "without a folder"},
         Break{"CameraImageMissing", "cam0/data.csv", ",1600000000200000000.png", ",other.png",
               "cam0/data/other.png", "no such file"},
-        Break{"SonarRange", "sonar0/data.csv", "\n1600000000100000000,",
-              "\n1600000000100000000,-", "sonar0/data.csv:3", "at least 0"},
+        Break{"SonarRange", "sonar0/data.csv", "\n1600000000100000000,", "\n1600000000100000000,-",
+              "sonar0/data.csv:3", "at least 0"},
         Break{"SonarMaxRange", "sonar0/sensor.yaml", "max_range: 6", "max_range: 0.1",
               "sonar0/sensor.yaml", "more than min_range"},
         Break{"DepthWord", "pressure0/data.csv", "\n1600000000000000000,",
               "\n1600000000000000000,deep", "pressure0/data.csv:2", "depth is 'deep"},
         Break{"TruthColumns", "state_groundtruth_estimate0/data.csv", "\n1600000000200000000,",
               "\n1600000000200000000,1,", "state_groundtruth_estimate0/data.csv:3", "fields"},
-        Break{"TruthFewColumns", "state_groundtruth_estimate0/data.csv",
-              "\n1600000000200000000,", "\n1600000000200000000,1,2,3,1,0,0,0,5\n1600000000200000001,",
+        Break{"TruthFewColumns", "state_groundtruth_estimate0/data.csv", "\n1600000000200000000,",
+              "\n1600000000200000000,1,2,3,1,0,0,0,5\n1600000000200000001,",
               "state_groundtruth_estimate0/data.csv:3", "must be 8 or 17"},
-        Break{"TruthQuaternion", "state_groundtruth_estimate0/data.csv",
-              "\n1600000000200000000,", "\n1600000000200000000,1,2,3,1,1,0,0\n1600000000200000001,",
+        Break{"TruthQuaternion", "state_groundtruth_estimate0/data.csv", "\n1600000000200000000,",
+              "\n1600000000200000000,1,2,3,1,1,0,0\n1600000000200000001,",
               "state_groundtruth_estimate0/data.csv:3", "quaternion"},
         Break{"RigsDiffer", "cam0/sensor.yaml", "intrinsics: [575.3", "intrinsics: [575.4",
               "rig.yaml", "cam0"},
-        Break{"ArrivalUnknownSensor", "arrivals.csv", ",imu0,", ",imu1,", "arrivals.csv:",
-              "imu0, cam0"},
+        Break{"ArrivalUnknownSensor", "arrivals.csv", ",imu0,", ",imu1,",
+              "arrivals.csv:", "imu0, cam0"},
         Break{"ArrivalUnknownTime", "arrivals.csv", "1600000000050000000,", "1600000000050000001,",
               "arrivals.csv:", "row of imu0/data.csv"},
         Break{"ArrivalBeforeItsTime", "arrivals.csv", "1600000000050000000,1600000000050000000,",
@@ -111,8 +109,8 @@ TEST_F(EurocBrokenFiles, NoRecordingAtAll) {
 }
 
 TEST_F(EurocBrokenFiles, MissingFiles) {
-  for (const char* file : {"imu0/sensor.yaml", "imu0/data.csv", "cam1/sensor.yaml",
-                           "cam0/data.csv", "sonar0/data.csv", "pressure0/sensor.yaml"}) {
+  for (const char* file : {"imu0/sensor.yaml", "imu0/data.csv", "cam1/sensor.yaml", "cam0/data.csv",
+                           "sonar0/data.csv", "pressure0/sensor.yaml"}) {
     Record(SmallDive());
     fs::remove(mav0() / file);
     EXPECT_THAT(ReadAll(target()), AllOf(HasSubstr(file), HasSubstr("no such file")));

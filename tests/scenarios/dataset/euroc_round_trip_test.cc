@@ -1,10 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <iterator>
 #include <limits>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include "scenarios/dataset/euroc_reader.h"

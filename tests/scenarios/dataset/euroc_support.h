@@ -1,11 +1,11 @@
 // A small recording for tests.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "scenarios/dataset/euroc_writer.h"
 #include "sensors_models/base/files.h"

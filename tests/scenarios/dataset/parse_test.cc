@@ -1,8 +1,8 @@
 #include "scenarios/dataset/parse.h"
 
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include <gtest/gtest.h>
 
 namespace drydock::dataset {
 namespace {
@@ -48,8 +48,8 @@ TEST(ParseSeconds, RefusesWhatIsNoTime) {
 }
 
 TEST(FormatSeconds, ComesBack) {
-  for (const std::int64_t ns : {0L, 1L, -1L, 999'999'999L, 1'600'000'000'103'666'801L,
-                                -1'500'000'000L}) {
+  for (const std::int64_t ns :
+       {0L, 1L, -1L, 999'999'999L, 1'600'000'000'103'666'801L, -1'500'000'000L}) {
     EXPECT_EQ(ParseSeconds(FormatSeconds(Time{ns}))->ns, ns);
   }
   EXPECT_EQ(FormatSeconds(Time{-500'000'000}), "-0.500000000");

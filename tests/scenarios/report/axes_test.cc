@@ -1,9 +1,9 @@
 #include "scenarios/report/axes.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace drydock::report {
 namespace {

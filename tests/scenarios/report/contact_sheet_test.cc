@@ -1,9 +1,9 @@
 #include "scenarios/report/contact_sheet.h"
 
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <stdexcept>
 
 namespace drydock::report {
 namespace {

@@ -1,10 +1,9 @@
 #include "scenarios/report/trajectory_plot.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 
+#include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include "scenarios/report/canvas.h"
@@ -63,7 +62,8 @@ TEST(DrawTrajectories, CopesWithNothingOnePointAndLongNames) {
   EXPECT_GT(DrawTrajectories("", {}, {}).rows, 0);
   EXPECT_GT(DrawTrajectories("no truth", {}, {{"estimate", Circle(1.0)}}).rows, 0);
   EXPECT_GT(DrawTrajectories("no estimate", Circle(1.0), {{"estimate", {}}}).rows, 0);
-  EXPECT_GT(DrawTrajectories("point", {Circle(1.0).front()}, {{"p", {Circle(1.0).front()}}}).rows, 0);
+  EXPECT_GT(DrawTrajectories("point", {Circle(1.0).front()}, {{"p", {Circle(1.0).front()}}}).rows,
+            0);
   const std::string long_name(500, 'w');
   std::vector<NamedTrajectory> many(12, {long_name, Circle(2.0)});
   EXPECT_EQ(DrawTrajectories(long_name, Circle(1.0), many).cols, 1200);

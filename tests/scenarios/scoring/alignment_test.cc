@@ -47,7 +47,8 @@ TEST(Align, YawLeavesTilt) {
   const Pose tilted(FromYawPitchRoll(0.0, 0.0, 0.3), {0.0, 0.0, 0.0});
   const auto result = Align(Pairs(Helix(), Moved(Helix(), tilted)), Alignment::kYaw);
   ASSERT_TRUE(result.has_value());
-  EXPECT_LT((result->rigid.q() * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitZ()).norm(), 1e-13);
+  EXPECT_LT((result->rigid.q() * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitZ()).norm(),
+            1e-13);
 }
 
 TEST(Align, OriginLaysTheFirstPosesUponEachOther) {
@@ -80,9 +81,8 @@ TEST(Align, NeverMirrors) {
 }
 
 TEST(Align, FlatPathsAreAligned) {
-  const Trajectory flat = MakeTrajectory(100, 0.1, [](double t) {
-    return Eigen::Vector3d(std::cos(t), std::sin(t), 0.0);
-  });
+  const Trajectory flat = MakeTrajectory(
+      100, 0.1, [](double t) { return Eigen::Vector3d(std::cos(t), std::sin(t), 0.0); });
   const Pose by(FromYawPitchRoll(1.0, 0.5, 0.2), {1.0, 1.0, 1.0});
   const auto result = Align(Pairs(flat, Moved(flat, by)), Alignment::kSe3);
   ASSERT_TRUE(result.has_value());
@@ -127,8 +127,8 @@ TEST(Align, PositionAndYawOfOnePose) {
 }
 
 TEST(Alignment, NamesGoBothWays) {
-  for (const Alignment alignment : {Alignment::kNone, Alignment::kOrigin, Alignment::kYaw,
-                                    Alignment::kSe3, Alignment::kSim3}) {
+  for (const Alignment alignment :
+       {Alignment::kNone, Alignment::kOrigin, Alignment::kYaw, Alignment::kSe3, Alignment::kSim3}) {
     EXPECT_EQ(ParseAlignment(ToString(alignment)), alignment);
   }
   EXPECT_THROW(ParseAlignment("SE3"), InputError);

@@ -1,8 +1,8 @@
 #include "scenarios/scoring/association.h"
 
-#include <gtest/gtest.h>
-
 #include <initializer_list>
+
+#include <gtest/gtest.h>
 
 #include "tests/scenarios/scoring/support.h"
 
@@ -63,7 +63,8 @@ TEST(Associate, OfEquallyLongOnesGoesThroughTheEstimate) {
 }
 
 TEST(Associate, TellsWhyPosesWereDropped) {
-  const auto result = Associate(At({100, 110, 400, 410, 420, 430}), At({50, 105, 250, 415, 500}), {});
+  const auto result =
+      Associate(At({100, 110, 400, 410, 420, 430}), At({50, 105, 250, 415, 500}), {});
   EXPECT_EQ(result.truth_poses, 6U);
   EXPECT_EQ(result.estimate_poses, 5U);
   EXPECT_EQ(result.pairs.size(), 2U);

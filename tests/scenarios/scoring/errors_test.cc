@@ -1,9 +1,9 @@
 #include "scenarios/scoring/errors.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 #include "sensors_models/base/check.h"
 #include "tests/scenarios/scoring/support.h"
@@ -121,8 +121,7 @@ TEST(RelativeErrors, PureScaleMakesAConstantError) {
     truth.push_back(0.1 * i);
     estimate.push_back(0.11 * i);
   }
-  const auto errors =
-      RelativeErrors(Line(truth, estimate), {.step = 10, .unit = Unit::kFrames});
+  const auto errors = RelativeErrors(Line(truth, estimate), {.step = 10, .unit = Unit::kFrames});
   EXPECT_EQ(errors.translation.size(), 91U);
   EXPECT_THAT(errors.translation, Each(DoubleNear(0.1, 1e-12)));
   EXPECT_THAT(errors.rotation, Each(DoubleNear(0.0, 1e-12)));

@@ -1,11 +1,10 @@
 // Golden values: evo 1.36, see tests/data/oracle/README.md.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <string>
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/dataset/tum.h"

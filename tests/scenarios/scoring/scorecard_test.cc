@@ -1,12 +1,11 @@
 #include "scenarios/scoring/scorecard.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <limits>
 #include <set>
 #include <string>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/scoring/json.h"
@@ -39,10 +38,9 @@ std::vector<std::string> Keys(const Json& json) {
 
 TEST(Scorecard, JsonHasTheKeysOfTheContractInOrder) {
   const Json json = Json::parse(ToJson(Score(BusRun(), Helix(), Helix(), Helix(), {})));
-  EXPECT_THAT(Keys(json),
-              ElementsAre("schema", "scenario", "seed", "estimator", "renderer", "commit",
-                          "config_hash", "path_length_m", "duration_s", "metrics", "alignment",
-                          "criteria", "verdict"));
+  EXPECT_THAT(Keys(json), ElementsAre("schema", "scenario", "seed", "estimator", "renderer",
+                                      "commit", "config_hash", "path_length_m", "duration_s",
+                                      "metrics", "alignment", "criteria", "verdict"));
   EXPECT_THAT(
       Keys(json["metrics"]),
       ElementsAre("ate_rmse_m", "ate_odometry_rmse_m", "ate_percent", "scale_error_percent",
@@ -171,8 +169,8 @@ TEST(Scorecard, KnownFiguresStandAndNotANumberIsNone) {
 }
 
 TEST(Scorecard, NoEstimateFailsItsCriteriaAndIsNoError) {
-  const Scorecard card =
-      Score(BusRun(), Helix(), {}, {}, {{"ate_rmse_m", {}, 100.0}, {"continuity_percent", 0.0, {}}});
+  const Scorecard card = Score(BusRun(), Helix(), {}, {},
+                               {{"ate_rmse_m", {}, 100.0}, {"continuity_percent", 0.0, {}}});
   EXPECT_EQ(card.metrics.continuity_percent, 0.0);
   EXPECT_FALSE(card.metrics.ate_rmse_m.has_value());
   EXPECT_FALSE(card.criteria[0].passed);

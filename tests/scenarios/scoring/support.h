@@ -15,8 +15,7 @@ inline Trajectory MakeTrajectory(int count, double step_s,
   Trajectory trajectory;
   for (int i = 0; i < count; ++i) {
     const double t = i * step_s;
-    trajectory.push_back(
-        {Time::FromSeconds(t), Pose(Eigen::Quaterniond::Identity(), position(t))});
+    trajectory.push_back({Time::FromSeconds(t), Pose(Eigen::Quaterniond::Identity(), position(t))});
   }
   return trajectory;
 }

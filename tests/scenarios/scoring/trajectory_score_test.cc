@@ -1,9 +1,9 @@
 #include "scenarios/scoring/trajectory_score.h"
 
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <string>
 
 #include "scenarios/scoring/json.h"
 #include "sensors_models/base/check.h"
@@ -60,9 +60,8 @@ TEST(ScoreTrajectories, PureYawOrTranslationIsNoErrorAfterYawAlignment) {
 // An estimate that stays behind by 0.1 m a metre on a straight line ends 10 % short.
 TEST(ScoreTrajectories, FinalDriftByHand) {
   const auto along = [](double speed) {
-    return MakeTrajectory(101, 0.1, [speed](double t) {
-      return Eigen::Vector3d(speed * t, 0.0, 0.0);
-    });
+    return MakeTrajectory(101, 0.1,
+                          [speed](double t) { return Eigen::Vector3d(speed * t, 0.0, 0.0); });
   };
   const TrajectoryScore score = ScoreTrajectories(along(1.0), along(0.9), Alignment::kYaw);
   EXPECT_NEAR(*score.metrics.final_drift_percent, 10.0, 1e-10);
@@ -107,9 +106,8 @@ TEST(ScoreTrajectories, VerticalErrorIsSeenByZAlone) {
 }
 
 TEST(ScoreTrajectories, ShortPathsHaveNoStepsOfFiveMetres) {
-  const Trajectory truth = MakeTrajectory(50, 0.1, [](double t) {
-    return Eigen::Vector3d(0.1 * t, 0.05 * t * t, 0.0);
-  });
+  const Trajectory truth =
+      MakeTrajectory(50, 0.1, [](double t) { return Eigen::Vector3d(0.1 * t, 0.05 * t * t, 0.0); });
   const TrajectoryScore score = ScoreTrajectories(truth, truth, Alignment::kSe3);
   EXPECT_FALSE(score.metrics.rpe_5m_percent.has_value());
   EXPECT_FALSE(score.rpe_translation.has_value());

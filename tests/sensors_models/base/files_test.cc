@@ -1,11 +1,11 @@
 #include "sensors_models/base/files.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
 

@@ -1,9 +1,8 @@
 #include "sensors_models/base/pose_manifold.h"
 
+#include <ceres/manifold_test_utils.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <ceres/manifold_test_utils.h>
 
 #include "sensors_models/base/random_stream.h"
 

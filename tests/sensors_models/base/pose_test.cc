@@ -1,11 +1,11 @@
 #include "sensors_models/base/pose.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "sensors_models/base/random_stream.h"
 

@@ -1,11 +1,11 @@
 #include "sensors_models/base/random_stream.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace drydock {
 namespace {
@@ -107,17 +107,18 @@ long double NormalCdf(long double x) {
 long double InverseByNewton(long double p, long double start) {
   long double x = start;
   for (int i = 0; i < 5; ++i) {
-    const long double density =
-        std::exp(-0.5L * x * x) * std::numbers::inv_sqrtpi_v<long double> / std::numbers::sqrt2_v<long double>;
+    const long double density = std::exp(-0.5L * x * x) * std::numbers::inv_sqrtpi_v<long double> /
+                                std::numbers::sqrt2_v<long double>;
     x -= (NormalCdf(x) - p) / density;
   }
   return x;
 }
 
 TEST(InverseNormal, AgreesWithErfc) {
-  for (const double p : {1e-300, 1e-200, 1e-100, 1e-30, 1e-16, 1e-12, 1.4e-11, 1.3e-11, 1e-9, 1e-6,
-                         1e-3, 0.01, 0.074, 0.0751, 0.1, 0.25, 0.4, 0.49999, 0.500001, 0.6, 0.75,
-                         0.925, 0.9251, 0.99, 0.999, 1 - 1e-6, 1 - 1e-9}) {
+  for (const double p :
+       {1e-300,   1e-200, 1e-100, 1e-30, 1e-16,  1e-12, 1.4e-11, 1.3e-11,  1e-9,
+        1e-6,     1e-3,   0.01,   0.074, 0.0751, 0.1,   0.25,    0.4,      0.49999,
+        0.500001, 0.6,    0.75,   0.925, 0.9251, 0.99,  0.999,   1 - 1e-6, 1 - 1e-9}) {
     const double x = InverseNormal(p);
     const long double exact = InverseByNewton(p, x);
     EXPECT_NEAR(static_cast<double>((x - exact) / exact), 0.0, 1e-15) << "p = " << p;

@@ -1,9 +1,9 @@
 #include "sensors_models/base/yaml_node.h"
 
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <string>
 
 #include "sensors_models/base/check.h"
 
@@ -75,7 +75,8 @@ TEST(ParseYaml, RefusesBadSyntaxWithItsLine) {
 
 // yaml-cpp's LoadAll goes on for ever, and takes memory all the while, on each of these.
 TEST(ParseYaml, RefusesTextOutsideOfTheDocument) {
-  for (const char* text : {"a: 1\n...\n, b\n", "a: 1\n, b\n", "a\n,\n", "a: [1] ]\n", "{a: 1} }\n"}) {
+  for (const char* text :
+       {"a: 1\n...\n, b\n", "a: 1\n, b\n", "a\n,\n", "a: [1] ]\n", "{a: 1} }\n"}) {
     EXPECT_NE(ParseMessage(text), "") << text;
   }
 }
@@ -136,8 +137,9 @@ TEST(SetYaml, SetsReplacesAndAdds) {
 
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
-  for (const char* bad : {"a", "=1", "nothing.here=1", "a.x.y=1", "list.2=1", "list.-1=1",
-                          "list.one=1", "a.x=[1", "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
+  for (const char* bad :
+       {"a", "=1", "nothing.here=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
+        "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
     EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
   }
 }
@@ -157,13 +159,12 @@ TEST(EmitYaml, EmptyRootIsAMapping) {
 }
 
 TEST(EmitYaml, NastyStringsSurvive) {
-  const char* nasty[] = {"",       " ",     " lead", "trail ",    "a: b",  "#hash", "a #b",
-                         "-",      "- a",   "?",     ": ",        "null",  "~",     "NULL",
-                         "true",   "1e3",   "0x10",  "*star",     "&and",  "!tag",  "%dir",
-                         "@at",    "`tick", "{",     "}",         "[",     "]",     ",",
-                         "\"",     "'",     "\\",    "\\n",       "a\nb",  "a\n",   "\ttab",
-                         "\r",     "|",     ">",     "---",       "...",   "<<",    "äöü €",
-                         "\x01\x7f", ".",   "..",    "a\n\n  b",  "=",     "0",     "+1"};
+  const char* nasty[] = {
+      "",     " ",     " lead",    "trail ", "a: b",  "#hash",    "a #b", "-",     "- a",  "?",
+      ": ",   "null",  "~",        "NULL",   "true",  "1e3",      "0x10", "*star", "&and", "!tag",
+      "%dir", "@at",   "`tick",    "{",      "}",     "[",        "]",    ",",     "\"",   "'",
+      "\\",   "\\n",   "a\nb",     "a\n",    "\ttab", "\r",       "|",    ">",     "---",  "...",
+      "<<",   "äöü €", "\x01\x7f", ".",      "..",    "a\n\n  b", "=",    "0",     "+1"};
   for (const char* value : nasty) {
     for (const bool quoted : {true, false}) {
       YamlNode scalar;

@@ -1,10 +1,10 @@
 #include "sensors_models/base/yaml_reader.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
 

@@ -1,10 +1,10 @@
 #include "sensors_models/measurement/rig.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <numbers>
 #include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
