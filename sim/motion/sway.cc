@@ -39,7 +39,7 @@ Jet FadeIn(double t) {
 
 Sway::Sway(const SwayConfig& config, std::uint64_t seed) {
   constexpr std::array<double, kTones> kShares = {0.8, 0.5, 0.3, 0.15};
-  constexpr std::array<double, kTones> kFrequencies_hz = {0.09, 0.17, 0.29, 0.44};
+  constexpr std::array<double, kTones> kFrequencies = {0.09, 0.17, 0.29, 0.44};  // [Hz]
   RandomStream stream(seed, "motion/sway");
   for (std::size_t axis = 0; axis < tones_.size(); ++axis) {
     const double scale = axis < 3 ? config.position_m : config.angle_rad;
@@ -47,7 +47,7 @@ Sway::Sway(const SwayConfig& config, std::uint64_t seed) {
       Tone& tone = tones_[axis][k];
       // A sine's rms is 0.71 of its amplitude; the shares' squares add up to 1.
       tone.amplitude = std::numbers::sqrt2 * scale * kShares[k];
-      tone.frequency = 2.0 * std::numbers::pi * kFrequencies_hz[k] * stream.Uniform(0.85, 1.15);
+      tone.frequency = 2.0 * std::numbers::pi * kFrequencies[k] * stream.Uniform(0.85, 1.15);
       tone.phase = stream.Uniform(0.0, 2.0 * std::numbers::pi);
     }
   }

@@ -43,11 +43,11 @@ class UnderwaterOptics {
 
   Pinhole pinhole_;
   float sun_share_;
-  Eigen::Vector3d sun_W_;          ///< Unit vector towards the sun.
-  Channels beam_attenuation_;      ///< c
-  Channels diffuse_attenuation_;   ///< Kd
-  Channels veil_;                  ///< veil b/c
-  std::array<float, 256> linear_;  ///< sRGB code to linear light.
+  Eigen::Vector3d sun_W_;               ///< Unit vector towards the sun.
+  Channels beam_attenuation_;           ///< c
+  Channels diffuse_attenuation_;        ///< Kd
+  Channels veil_;                       ///< veil b/c
+  std::array<float, 256> linear_ = {};  ///< sRGB code to linear light.
 
   // Rows in work, kept from call to call.
   std::vector<float> columns_;                ///< (u - cx) / focal

@@ -71,8 +71,8 @@ bool IsInView(const Eigen::Vector3d& centre_C, double radius, const Pinhole& pin
 
 struct Renderer::Mujoco {
   World& world;
-  mjvScene scene;
-  mjrContext context;
+  mjvScene scene{};
+  mjrContext context{};
   std::vector<mjvGeom> geoms;           ///< Everything that can be drawn.
   std::vector<Eigen::Vector4d> bounds;  ///< Of each: centre (m, in W) and radius.
   std::vector<float> reversed_depth;

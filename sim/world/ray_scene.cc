@@ -161,7 +161,7 @@ std::optional<RayHit> RayScene::Cast(const Eigen::Vector3d& origin,
   ray.ray.tfar = static_cast<float>(max_range);
   ray.ray.mask = 0xFFFFFFFFU;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(embree_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -204,7 +204,7 @@ std::optional<RayHit> RayScene::Nearest(const Eigen::Vector3d& point, double max
   query.y = static_cast<float>(point.y());
   query.z = static_cast<float>(point.z());
   query.radius = static_cast<float>(max_distance);
-  RTCPointQueryContext context;
+  RTCPointQueryContext context{};
   rtcInitPointQueryContext(&context);
   NearestQuery nearest;
   nearest.geoms = &embree_->geoms;

@@ -13,6 +13,7 @@ BenchDive::BenchDive()
 
 std::vector<Pose> BenchDive::Poses(int count) const {
   std::vector<Pose> poses;
+  poses.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     poses.push_back(motion.At({motion.End().ns / count * i}).T_WI);
   }

@@ -13,7 +13,7 @@ void SonarRays(::benchmark::State& state) {
   const sim::RayScene rays(dive.world);
   const std::vector<Pose> poses = dive.Poses(64);
   std::int64_t ping = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const Pose T_WS = poses[static_cast<std::size_t>(ping) % poses.size()] * dive.rig.sonar.T_IS;
     const Eigen::Vector3d beam = T_WS.q() * SonarBeam(SonarHeadAngle(dive.rig.sonar, ping));
     ::benchmark::DoNotOptimize(rays.Cast(T_WS.p(), beam, dive.rig.sonar.max_range_m));
