@@ -1,24 +1,19 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "scenarios/runner/run.h"
 #include "scenarios/scoring/metrics.h"
 #include "tools/drydock/commands.h"
-#include "tools/drydock/progress.h"
+#include "tools/drydock/dive_arguments.h"
 
 namespace drydock::cli {
 namespace {
 
 struct Arguments {
-  std::string scenario;
-  std::optional<std::uint64_t> seed;
+  DiveArguments dive;
   std::string estimator;
-  std::vector<std::string> overrides;
-  std::string renderer = "auto";
   std::string output;
   bool record = false;
 };
@@ -36,17 +31,14 @@ void PrintScorecard(const score::Scorecard& card) {
   }
 }
 
-int RunCommand(const Arguments& arguments) {
-  std::vector<std::string> overrides = arguments.overrides;
-  if (arguments.seed) overrides.push_back(fmt::format("seed={}", *arguments.seed));
-  if (!arguments.estimator.empty())
-    overrides.push_back(fmt::format("estimator.name={}", arguments.estimator));
-  const Scenario scenario = LoadScenario(arguments.scenario, overrides);
-  RunOptions options;
-  options.renderer = sim::ParseRendererBackend(arguments.renderer);
+int RunCommand(Arguments arguments) {
+  if (!arguments.estimator.empty()) {
+    arguments.dive.overrides.push_back(fmt::format("estimator.name={}", arguments.estimator));
+  }
+  const Scenario scenario = arguments.dive.Load();
+  RunOptions options = arguments.dive.Options();
   options.output = arguments.output.empty() ? "out/" + scenario.name : arguments.output;
   options.record = arguments.record;
-  options.progress = ProgressOnTerminal();
   const RunResult result = RunScenario(scenario, options);
   PrintScorecard(result.scorecard);
   const RunTimings& timings = result.timings;
@@ -65,18 +57,9 @@ void AddRunCommand(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand(
       "run", "Simulate a scenario, estimate in the loop, score against the truth");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("scenario", arguments->scenario, "Scenario file (scenarios/bus.yaml)")
-      ->required();
-  command->add_option("--seed", arguments->seed,
-                      "Seed of noise, biases and sway, instead of the scenario's");
+  AddDiveOptions(*command, arguments->dive);
   command->add_option("--estimator", arguments->estimator,
                       "Estimator, instead of the scenario's (see drydock list)");
-  command
-      ->add_option("--set", arguments->overrides,
-                   "key.path=value: overrides a key of the scenario; may be repeated")
-      ->take_all();
-  command->add_option("--renderer", arguments->renderer, "auto, egl or osmesa")
-      ->capture_default_str();
   command->add_flag("--record", arguments->record,
                     "Keep the measurements, as an EuRoC dataset, in DIR/dataset");
   command->add_option("-o,--output", arguments->output,

@@ -10,7 +10,8 @@ namespace {
 TEST(ImuIntegration, StaysAtRest) {
   const ImuSample rest{{0, 0, 0}, {0, 0, 9.81}};
   NavState state;
-  for (std::int64_t k = 1; k <= 1000; ++k) state = IntegrateMidpoint(state, rest, rest, {k * 5'000'000});
+  for (std::int64_t k = 1; k <= 1000; ++k)
+    state = IntegrateMidpoint(state, rest, rest, {k * 5'000'000});
   EXPECT_LT(state.T_WI.p().norm(), 1e-12);
   EXPECT_LT(state.v_W.norm(), 1e-12);
 }
@@ -20,7 +21,8 @@ TEST(ImuIntegration, TakesBiasesOff) {
   state.gyro_bias = {0.1, -0.2, 0.3};
   state.accel_bias = {0.5, 0.6, -0.7};
   const ImuSample rest{state.gyro_bias, Eigen::Vector3d(0, 0, 9.81) + state.accel_bias};
-  for (std::int64_t k = 1; k <= 200; ++k) state = IntegrateMidpoint(state, rest, rest, {k * 5'000'000});
+  for (std::int64_t k = 1; k <= 200; ++k)
+    state = IntegrateMidpoint(state, rest, rest, {k * 5'000'000});
   EXPECT_LT(state.T_WI.p().norm(), 1e-12);
 }
 
