@@ -14,12 +14,12 @@ TEST(ImuTruth, NoiseFreeDeadReckoningOfTheBusPathEndsOnTheTruth) {
   const Scenario scenario = LoadScenario(DataDirectory() / "scenarios" / "bus.yaml");
   for (const std::uint64_t seed : {1, 2, 3}) {
     const sim::SplineMotion motion(scenario.motion, seed);
-    constexpr double kRate_hz = 200.0;
+    constexpr double kRate = 200.0;  // [Hz]
     const sim::MotionState start = motion.At(Time{});
     NavState state{Time{}, start.T_WI, start.v_W, {}, {}};
     ImuSample before = sim::IdealImu(start);
     for (std::int64_t k = 1; k <= 60 * 200; ++k) {
-      const Time t = SampleTime(Time{}, k, kRate_hz);
+      const Time t = SampleTime(Time{}, k, kRate);
       const ImuSample sample = sim::IdealImu(motion.At(t));
       state = IntegrateMidpoint(state, before, sample, t);
       before = sample;

@@ -12,7 +12,7 @@
 namespace drydock {
 namespace {
 
-Scenario Bus(std::vector<std::string> overrides) {
+Scenario Bus(const std::vector<std::string>& overrides) {
   return LoadScenario(DataDirectory() / "scenarios" / "bus.yaml", overrides);
 }
 
