@@ -188,13 +188,17 @@ YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
   return {};
 }
 
-/// The value that one step of a --set path leads to; adds a missing last key of a mapping.
+/// The value that one step of a --set path leads to. Adds a missing key of a mapping, as a mapping
+/// itself unless it is the last: whether it means anything is for the reader to say.
 YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment) {
   if (node.kind == YamlNode::Kind::kMap) {
     if (YamlNode* found = node.Find(key)) return *found;
-    RequireInput(last && !key.empty() && key.size() <= kMaxKeyBytes,
-                 "--set {}: there is no '{}' at {}", assignment, key, node.place.ToString());
-    return node.members.emplace_back(std::string(key), YamlNode{}).second;
+    RequireInput(!key.empty() && key.size() <= kMaxKeyBytes, "--set {}: there is no '{}' at {}",
+                 assignment, key, node.place.ToString());
+    YamlNode added;
+    added.place = node.place;
+    if (!last) added.kind = YamlNode::Kind::kMap;
+    return node.members.emplace_back(std::string(key), std::move(added)).second;
   }
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);

@@ -41,9 +41,28 @@ CameraIntrinsics ReadIntrinsics(YamlReader& yaml) {
   return camera;
 }
 
+ImagerSheet ReadImager(YamlReader& yaml) {
+  ImagerSheet imager;
+  imager.gamma = yaml.Real("gamma", {0.5, 4.0}, imager.gamma);
+  imager.sensitivity_per_s = yaml.Real("sensitivity_per_s", {1e-3, 1e6}, imager.sensitivity_per_s);
+  imager.shutter_max_s = yaml.Real("shutter_max_s", {1e-6, 1.0}, imager.shutter_max_s);
+  imager.gain_max_db = yaml.Real("gain_max_db", {0.0, 60.0}, imager.gain_max_db);
+  imager.auto_exposure_target =
+      yaml.Real("auto_exposure_target", {0.01, 0.9}, imager.auto_exposure_target);
+  imager.auto_exposure_time_s =
+      yaml.Real("auto_exposure_time_s", {0.0, 60.0}, imager.auto_exposure_time_s);
+  imager.full_well_e = yaml.Real("full_well_e", {0.0, 1e7}, imager.full_well_e);
+  imager.read_noise_e = yaml.Real("read_noise_e", {0.0, 1e4}, imager.read_noise_e);
+  imager.vignetting = yaml.Real("vignetting", {0.0, 2.0}, imager.vignetting);
+  if (imager.read_noise_e > 0.0 && imager.full_well_e == 0.0)
+    yaml.Fail("read_noise_e", "0 without full_well_e");
+  return imager;
+}
+
 StereoSheet ReadStereo(YamlReader& yaml) {
   StereoSheet stereo;
   stereo.rate_hz = yaml.Real("rate_hz", kRate);
+  yaml.OptionalMap("imager", [&](YamlReader& imager) { stereo.imager = ReadImager(imager); });
   std::size_t count = 0;
   yaml.List("cameras", [&](YamlReader& camera) {
     if (count >= 2) camera.Fail("position_m", "that of one of two cameras");

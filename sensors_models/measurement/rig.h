@@ -23,8 +23,23 @@ struct CameraIntrinsics {
   std::array<double, 4> distortion = {0.0, 0.0, 0.0, 0.0};
 };
 
+/// What a camera's sensor makes of light. Radiance 1 is what a white card sends out that lies flat
+/// under the full daylight of the surface. The defaults have no flaws.
+struct ImagerSheet {
+  double gamma = 2.2;               ///< Code = 255 * (share of the full well)^(1/gamma).
+  double sensitivity_per_s = 2000;  ///< Share of the full well that radiance 1 fills in a second.
+  double shutter_max_s = 0.01;      ///< Longest exposure; beyond it gain makes up.
+  double gain_max_db = 24.0;
+  double auto_exposure_target = 0.2;  ///< Mean share of the full well that it aims at.
+  double auto_exposure_time_s = 0.0;  ///< Time constant of its first-order lag; 0 follows at once.
+  double full_well_e = 0.0;           ///< Electrons at saturation without gain; 0: no shot noise.
+  double read_noise_e = 0.0;          ///< Standard deviation [electrons]; needs the full well.
+  double vignetting = 0.0;            ///< Light falls off as cos^(4 vignetting) of the field angle.
+};
+
 struct StereoSheet {
   double rate_hz = 0.0;
+  ImagerSheet imager;                       ///< Of both cameras.
   std::array<CameraIntrinsics, 2> cameras;  ///< Left, right.
   std::array<Pose, 2> T_IC;                 ///< Camera (x right, y down, z forward) to body.
 };

@@ -2,33 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <opencv2/core.hpp>
 
 #include "sensors_models/base/check.h"
-#include "sim/optics/jerlov.h"
-#include "sim/optics/optics_rows.h"
 
 namespace drydock::sim {
 namespace {
 
 /// What a silicon sensor without colour filters makes of red, green and blue light, roughly.
-constexpr UnderwaterOptics::Channels kMonochrome = {0.30F, 0.45F, 0.25F};
+constexpr std::array<float, 3> kMonochrome = {0.30F, 0.45F, 0.25F};
 
 float SrgbToLinear(int code) {
   const double s = code / 255.0;
   return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
-
-Eigen::Vector3d DirectionToSun(const WaterConfig& water) {
-  const double azimuth = water.sun_azimuth_deg * std::numbers::pi / 180.0;
-  const double elevation = water.sun_elevation_deg * std::numbers::pi / 180.0;
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-          std::sin(elevation)};
-}
-
-UnderwaterOptics::Channels ToChannels(const Eigen::Array3d& values) {
-  return {static_cast<float>(values[0]), static_cast<float>(values[1]),
-          static_cast<float>(values[2])};
 }
 
 void StoreVector(const Eigen::Vector3d& from, float* to) {
@@ -37,13 +24,22 @@ void StoreVector(const Eigen::Vector3d& from, float* to) {
 
 }  // namespace
 
-UnderwaterOptics::UnderwaterOptics(const WaterConfig& water, const Pinhole& pinhole)
-    : pinhole_(pinhole),
-      sun_share_(static_cast<float>(water.sun_share)),
-      sun_W_(DirectionToSun(water)),
-      beam_attenuation_(ToChannels(BeamAttenuation(water))),
-      diffuse_attenuation_(ToChannels(DiffuseAttenuation(water))),
-      veil_(ToChannels(water.veil * ScatteringAlbedo(water))) {
+UnderwaterOptics::UnderwaterOptics(const WaterConfig& water, const Pinhole& pinhole,
+                                   DaylightGrid* shadows)
+    : water_(water),
+      pinhole_(pinhole),
+      shadows_(shadows),
+      veil_light_(water, pinhole),
+      scatter_(water, pinhole.focal),
+      range_(pinhole.height, pinhole.width, CV_32FC1) {
+  const Eigen::Array3d c = BeamAttenuation(water), kd = DiffuseAttenuation(water);
+  const Eigen::Array3d veil = water.veil * ScatteringAlbedo(water);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto channel = static_cast<Eigen::Index>(i);
+    channels_[i].beam_attenuation = static_cast<float>(c[channel]);
+    channels_[i].diffuse_attenuation = static_cast<float>(kd[channel]);
+    channels_[i].veil = static_cast<float>(veil[channel]);
+  }
   for (int code = 0; code < 256; ++code)
     linear_[static_cast<std::size_t>(code)] = SrgbToLinear(code);
   const auto width = static_cast<std::size_t>(pinhole.width);
@@ -51,9 +47,10 @@ UnderwaterOptics::UnderwaterOptics(const WaterConfig& water, const Pinhole& pinh
   for (std::size_t u = 0; u < width; ++u) {
     columns_[u] = static_cast<float>((static_cast<double>(u) - pinhole.cx) / pinhole.focal);
   }
-  for (std::vector<float>* row : {&light_, &range_, &slope_}) row->resize(width);
+  for (std::vector<float>* row : {&sunward_, &upward_, &sun_, &sky_, &light_, &slope_, &open_})
+    row->assign(width, 1.F);
   for (auto& row : albedo_) row.resize(width);
-  for (auto& row : radiance_) row.resize(width);
+  for (auto& row : place_) row.resize(width);
 }
 
 void UnderwaterOptics::DecodeAlbedo(const cv::Mat& albedo, int row) {
@@ -65,43 +62,73 @@ void UnderwaterOptics::DecodeAlbedo(const cv::Mat& albedo, int row) {
   }
 }
 
+rows::RowView UnderwaterOptics::ViewFrom(const Pose& T_WC) const {
+  const Eigen::Matrix3d R_WC = T_WC.R();
+  rows::RowView view{};
+  view.columns = columns_.data();
+  view.width = pinhole_.width;
+  view.inverse_focal = static_cast<float>(1.0 / pinhole_.focal);
+  StoreVector(R_WC.row(2), view.up_C);
+  StoreVector(R_WC.transpose() * DirectionToSun(water_), view.sun_C);
+  for (int i = 0; i < 3; ++i) StoreVector(R_WC.row(i), view.R_WC[i]);
+  StoreVector(T_WC.p(), view.p_WC);
+  return view;
+}
+
+void UnderwaterOptics::LightRow(const RawImage& raw, const rows::RowView& view, int v) {
+  const int last_row = raw.depth.rows - 1;
+  rows::Surfaces(
+      view, raw.depth.ptr<float>(std::max(v - 1, 0)), raw.depth.ptr<float>(v),
+      raw.depth.ptr<float>(std::min(v + 1, last_row)), DaylightGrid::kSurfaceOffset,
+      {sunward_.data(), upward_.data(), {place_[0].data(), place_[1].data(), place_[2].data()}});
+  if (shadows_ != nullptr) {
+    shadows_->At(view.width, place_[0].data(), place_[1].data(), place_[2].data(), sun_.data(),
+                 sky_.data());
+  }
+  rows::Illuminate(view.width, sunward_.data(), upward_.data(), sun_.data(), sky_.data(),
+                   static_cast<float>(water_.sun_share), light_.data());
+}
+
 void UnderwaterOptics::Apply(const RawImage& raw, const Pose& T_WC, ImageChannels channels,
                              cv::Mat& radiance) {
   Check(raw.depth.cols == pinhole_.width && raw.depth.rows == pinhole_.height,
         "the optics need the image of their own pinhole");
   const bool color = channels == ImageChannels::kColor;
-  radiance.create(raw.depth.size(), color ? CV_32FC3 : CV_32FC1);
-  const int width = raw.depth.cols, last_row = raw.depth.rows - 1;
-  const Eigen::Matrix3d R_CW = T_WC.R().transpose();
+  const std::size_t planes = color ? 3 : 1;
+  direct_.resize(planes);
+  seen_.resize(planes);
+  for (std::size_t i = 0; i < planes; ++i) {
+    direct_[i].create(raw.depth.size(), CV_32FC1);
+    direct_[i].setTo(0.0);
+    seen_[i].create(raw.depth.size(), CV_32FC1);
+    seen_[i].setTo(0.0);
+  }
+  const Eigen::Array3d here = DaylightAt(water_, T_WC.p().z());
+  for (std::size_t i = 0; i < 3; ++i) {
+    channels_[i].daylight = static_cast<float>(here[static_cast<Eigen::Index>(i)]);
+    channels_[i].weight = color ? 1.F : kMonochrome[i];
+  }
+  // Perfectly clear water has no veil to be in shadow.
+  const bool shafts = shadows_ != nullptr && water_.visibility_m > 0.0;
+  if (shafts) veil_light_.Look(T_WC, *shadows_);
 
-  rows::RowView view{};
-  view.columns = columns_.data();
-  view.width = width;
-  view.inverse_focal = static_cast<float>(1.0 / pinhole_.focal);
-  StoreVector(R_CW.col(2), view.up_C);
-  StoreVector(R_CW * sun_W_, view.sun_C);
-  for (int v = 0; v <= last_row; ++v) {
+  rows::RowView view = ViewFrom(T_WC);
+  for (int v = 0; v < raw.depth.rows; ++v) {
     view.y = static_cast<float>((v - pinhole_.cy) / pinhole_.focal);
-    const auto* depth = raw.depth.ptr<float>(v);
     DecodeAlbedo(raw.albedo, v);
-    rows::RangesAndSlopes(view, depth, range_.data(), slope_.data());
-    rows::Illumination(view, raw.depth.ptr<float>(std::max(v - 1, 0)), depth,
-                       raw.depth.ptr<float>(std::min(v + 1, last_row)), sun_share_, light_.data());
+    auto* range = range_.ptr<float>(v);
+    rows::RangesAndSlopes(view, raw.depth.ptr<float>(v), range, slope_.data());
+    LightRow(raw, view, v);
+    const float* lit = shafts ? veil_light_.Row(v, range) : open_.data();
     for (std::size_t i = 0; i < 3; ++i) {
-      rows::SeeThroughWater(width, albedo_[i].data(), light_.data(), range_.data(), slope_.data(),
-                            beam_attenuation_[i], diffuse_attenuation_[i], veil_[i],
-                            radiance_[i].data());
-    }
-    auto* out = radiance.ptr<float>(v);
-    for (std::size_t u = 0; u < columns_.size(); ++u) {
-      if (color) {
-        for (std::size_t i = 0; i < 3; ++i) out[3 * u + i] = radiance_[i][u];
-      } else {
-        out[u] = kMonochrome[0] * radiance_[0][u] + kMonochrome[1] * radiance_[1][u] +
-                 kMonochrome[2] * radiance_[2][u];
-      }
+      const std::size_t plane = color ? i : 0;
+      rows::AddSeenThroughWater(view.width, channels_[i], albedo_[i].data(), light_.data(), range,
+                                slope_.data(), lit, direct_[plane].ptr<float>(v),
+                                seen_[plane].ptr<float>(v));
     }
   }
+  for (std::size_t i = 0; i < planes; ++i) scatter_.AddTo(direct_[i], range_, seen_[i]);
+  cv::merge(seen_, radiance);
 }
 
 }  // namespace drydock::sim

@@ -7,6 +7,10 @@
 #include <opencv2/core/mat.hpp>
 
 #include "sensors_models/base/pose.h"
+#include "sim/optics/daylight_grid.h"
+#include "sim/optics/forward_scatter.h"
+#include "sim/optics/optics_rows.h"
+#include "sim/optics/veil_light.h"
 #include "sim/optics/water_config.h"
 #include "sim/render/renderer.h"
 
@@ -20,42 +24,49 @@ enum class ImageChannels {
 /// Lights a raw image per pixel, in linear light, by daylight that fades with depth, and sends it
 /// through the water.
 ///
-/// For each channel, with r the range along the ray, s the ray's upward slope, rho the surface's
-/// reflectance and the daylight at the camera as unit:
-///   J = rho exp(Kd s r) (sun_share max(0, n . sun) + (1 - sun_share) sky(n))    lit surface
-///   I = J exp(-c r) + B (1 - exp(-beta r))                                      seen through water
-/// Daylight scattered once towards the camera along the ray gives the veil its own coefficient,
-/// beta = c - Kd s (it is brighter upwards), and its radiance in deep water, B = veil (b/c) c /
-/// beta. beta is kept above 0.3 c: the surface is never far. Radiance 1 is what a white card sends
-/// out that lies flat at the camera's depth.
+/// For each channel, with r the range along the ray, s the ray's upward slope, n the surface's
+/// normal, rho its reflectance, E the daylight at the camera's depth, and the shares S (sun) and A
+/// (sky) that shadows leave of it:
+///   J = rho exp(Kd s r) (sun_share max(0, n . sun) S + (1 - sun_share) (5 + 3 n_z) / 8 A)
+///   I = E (J exp(-c r) + B (1 - exp(-beta r)) L)
+/// The first term is blurred by ForwardScatter. Daylight scattered once towards the camera along
+/// the ray gives the veil its own coefficient, beta = c - Kd s (it is brighter upwards), and its
+/// radiance in deep water, B = veil (b/c) c / beta. beta is kept above 0.3 c: the surface is never
+/// far. L is the share of that water which is not in shadow (VeilLight). Radiance 1 is what a white
+/// card sends out that lies flat under the full sun of the surface.
 class UnderwaterOptics {
  public:
-  UnderwaterOptics(const WaterConfig& water, const Pinhole& pinhole);
+  /// `shadows`, if not null, must outlive the optics and may be shared by
+  /// the optics of several cameras that work one after the other.
+  UnderwaterOptics(const WaterConfig& water, const Pinhole& pinhole, DaylightGrid* shadows);
 
   /// `raw` is of this optics' pinhole, taken at `T_WC`. `radiance` is reused if it fits.
   void Apply(const RawImage& raw, const Pose& T_WC, ImageChannels channels, cv::Mat& radiance);
 
-  /// One number a channel.
-  using Channels = std::array<float, 3>;
-
  private:
   void DecodeAlbedo(const cv::Mat& albedo, int row);
+  rows::RowView ViewFrom(const Pose& T_WC) const;
+  /// Light on the surfaces of row `v`.
+  void LightRow(const RawImage& raw, const rows::RowView& view, int v);
 
+  WaterConfig water_;
   Pinhole pinhole_;
-  float sun_share_;
-  Eigen::Vector3d sun_W_;               ///< Unit vector towards the sun.
-  Channels beam_attenuation_;           ///< c
-  Channels diffuse_attenuation_;        ///< Kd
-  Channels veil_;                       ///< veil b/c
+  DaylightGrid* shadows_;
+  VeilLight veil_light_;
+  ForwardScatter scatter_;
+  std::array<rows::ChannelWater, 3> channels_ = {};
   std::array<float, 256> linear_ = {};  ///< sRGB code to linear light.
 
   // Rows in work, kept from call to call.
   std::vector<float> columns_;                ///< (u - cx) / focal
   std::array<std::vector<float>, 3> albedo_;  ///< Linear.
-  std::array<std::vector<float>, 3> radiance_;
-  std::vector<float> light_;
-  std::vector<float> range_;
-  std::vector<float> slope_;
+  std::array<std::vector<float>, 3> place_;
+  std::vector<float> sunward_, upward_, sun_, sky_, light_, slope_;
+  std::vector<float> open_;  ///< Ones: nothing is in shadow.
+  // Images in work: one plane for each channel that is delivered.
+  cv::Mat range_;
+  std::vector<cv::Mat> direct_;
+  std::vector<cv::Mat> seen_;
 };
 
 }  // namespace drydock::sim

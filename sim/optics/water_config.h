@@ -18,11 +18,17 @@ struct WaterConfig {
   /// Radiance of infinitely deep water, seen horizontally, as a share of what a white card that
   /// faces upwards sends out, per unit of scattering albedo b/c.
   double veil = 0.15;
+  /// At the surface, as a share of full sun; 0.001 is deep dusk.
+  double daylight = 1.0;
   double sun_share =
       0.45;  ///< Of the daylight that comes straight from the sun; the rest is diffuse.
   /// Where the sunlight comes from, under water.
   double sun_azimuth_deg = 140.0;  ///< In W, from x to y.
   double sun_elevation_deg = 62.0;
+  bool shadows = true;  ///< What stands in the light's way keeps it off, surfaces and water alike.
+  /// Share of the scattering that bends light by so little that it arrives as blur; 0 for none.
+  double forward_scatter = 0.3;
+  double forward_scatter_deg = 0.6;  ///< Standard deviation of that bend, along each image axis.
 };
 
 /// Reads the `water` mapping of a scenario.
@@ -35,6 +41,12 @@ Eigen::Array3d BeamAttenuation(const WaterConfig& water);
 /// the visibility, since turbidity scatters light rather than swallowing it; zero in perfectly
 /// clear water.
 Eigen::Array3d DiffuseAttenuation(const WaterConfig& water);
+
+/// Daylight at `z_m` [m, in W] per channel, as a share of full sun at the surface.
+Eigen::Array3d DaylightAt(const WaterConfig& water, double z_m);
+
+/// Unit vector towards the sun, in W.
+Eigen::Vector3d DirectionToSun(const WaterConfig& water);
 
 /// b/c per channel: the share of the light lost from a beam that is scattered rather than absorbed.
 Eigen::Array3d ScatteringAlbedo(const WaterConfig& water);

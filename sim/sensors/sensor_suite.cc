@@ -28,8 +28,9 @@ SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& ray
     return std::make_unique<Sonar>(motion, world, rays, rig.sonar, config.sonar.noise, seed);
   });
   add(true, config.stereo, [&] {
-    auto camera = std::make_unique<StereoCamera>(motion, world, rig.stereo, water, config.image,
-                                                 config.depth_images, backend);
+    auto camera =
+        std::make_unique<StereoCamera>(StereoCamera::Surroundings{motion, world, rays}, rig.stereo,
+                                       water, config.image, config.depth_images, backend, seed);
     camera_ = camera.get();
     return camera;
   });

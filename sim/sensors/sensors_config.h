@@ -10,7 +10,7 @@ namespace drydock::sim {
 /// Switches of one sensor; the rig says what it can do.
 struct SensorSwitches {
   bool enabled = true;
-  bool noise = true;  ///< Off: exactly the truth. Images have no noise as yet.
+  bool noise = true;  ///< Off: exactly the truth.
   Duration latency;   ///< From measurement to arrival.
 };
 

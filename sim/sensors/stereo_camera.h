@@ -1,32 +1,43 @@
 // The simulated stereo camera.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <optional>
 
 #include "sensors_models/measurement/rig.h"
 #include "sim/motion/motion.h"
+#include "sim/optics/auto_exposure.h"
+#include "sim/optics/daylight_grid.h"
 #include "sim/optics/image_sensor.h"
 #include "sim/optics/underwater_optics.h"
 #include "sim/render/lens.h"
 #include "sim/render/renderer.h"
 #include "sim/sensors/sensor.h"
+#include "sim/world/ray_scene.h"
 
 namespace drydock::sim {
 
-/// Renderer, water, lens and sensor of two eyes that look at the same instant.
+/// Renderer, water, lens and sensor of two eyes that look at the same instant. Both expose alike.
 class StereoCamera final : public Sensor {
  public:
-  /// `motion` and `world` must outlive the camera. InputError if no OpenGL can be had.
-  StereoCamera(const Motion& motion, World& world, const StereoSheet& sheet,
-               const WaterConfig& water, const ImageSensorConfig& image, bool depth_images,
-               RendererBackend backend);
+  /// What is around the camera; all of it must outlive the camera.
+  struct Surroundings {
+    const Motion& motion;
+    World& world;
+    const RayScene& rays;  ///< Casts the shadows.
+  };
+
+  /// InputError if no OpenGL can be had.
+  StereoCamera(const Surroundings& surroundings, const StereoSheet& sheet, const WaterConfig& water,
+               const ImageSensorConfig& image, bool depth_images, RendererBackend backend,
+               std::uint64_t seed);
 
   Time NextTime() const override { return SampleTime(Time{}, next_, sheet_.rate_hz); }
   Observation Observe() override;
 
-  /// What the camera sees from any pose, for calibration and tests.
+  /// What the camera sees from any pose with its exposure settled, for calibration and tests.
   StereoFrame Look(const Pose& T_WI, StereoTruth* truth);
 
   const Renderer& renderer() const { return *renderer_; }
@@ -35,22 +46,26 @@ class StereoCamera final : public Sensor {
   struct Eye {
     Lens lens;
     UnderwaterOptics optics;
-    Eye(const CameraIntrinsics& camera, const WaterConfig& water)
-        : lens(camera), optics(water, lens.source()) {}
+    ImageSensor sensor;
+    cv::Mat light;  ///< On the sensor.
   };
-  cv::Mat LookWith(std::size_t eye, const Pose& T_WC, cv::Mat* depth);
+  static Eye MakeEye(std::size_t eye, const StereoSheet& sheet, const WaterConfig& water,
+                     const ImageSensorConfig& image, DaylightGrid* shadows, std::uint64_t seed);
+  /// Fills each eye's light and gives their mean.
+  double Gather(const Pose& T_WI, StereoTruth* truth);
+  StereoFrame Expose(const Exposure& exposure);
 
   const Motion& motion_;
   StereoSheet sheet_;
   ImageChannels channels_;
   bool depth_images_;
+  std::optional<DaylightGrid> shadows_;
   std::array<Eye, 2> eyes_;
-  ImageSensor image_sensor_;
+  AutoExposure auto_exposure_;
   std::unique_ptr<Renderer> renderer_;
   std::int64_t next_ = 0;
-  RawImage raw_;  ///< Reused from frame to frame, as are the next two.
+  RawImage raw_;  ///< Reused from frame to frame, as is the next.
   cv::Mat radiance_;
-  cv::Mat through_lens_;
 };
 
 }  // namespace drydock::sim

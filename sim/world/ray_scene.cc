@@ -140,6 +140,10 @@ RayScene::RayScene(const World& world) : embree_(std::make_unique<Embree>()) {
     for (Eigen::Vector3f& vertex : triangles.vertices) {
       vertex = (R * vertex.cast<mjtNum>() + p).template cast<float>();
     }
+    if (model.geom_type[geom] != mjGEOM_PLANE) {
+      for (const Eigen::Vector3f& vertex : triangles.vertices)
+        bounds_.extend(vertex.cast<double>());
+    }
     const auto id = static_cast<unsigned>(geom);
     embree_->geoms[id] = std::move(triangles);
     embree_->Attach(id);
@@ -149,17 +153,36 @@ RayScene::RayScene(const World& world) : embree_(std::make_unique<Embree>()) {
 
 RayScene::~RayScene() = default;
 
+namespace {
+
+RTCRay MakeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double max_range) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x());
+  ray.org_y = static_cast<float>(origin.y());
+  ray.org_z = static_cast<float>(origin.z());
+  ray.dir_x = static_cast<float>(direction.x());
+  ray.dir_y = static_cast<float>(direction.y());
+  ray.dir_z = static_cast<float>(direction.z());
+  ray.tfar = static_cast<float>(max_range);
+  ray.mask = 0xFFFFFFFFU;
+  return ray;
+}
+
+}  // namespace
+
+bool RayScene::IsOccluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                          double max_range) const {
+  RTCRay ray = MakeRay(origin, direction, max_range);
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(embree_->scene, &context, &ray);
+  return ray.tfar < 0.F;  // Embree sets it to minus infinity on a hit.
+}
+
 std::optional<RayHit> RayScene::Cast(const Eigen::Vector3d& origin,
                                      const Eigen::Vector3d& direction, double max_range) const {
   RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(origin.x());
-  ray.ray.org_y = static_cast<float>(origin.y());
-  ray.ray.org_z = static_cast<float>(origin.z());
-  ray.ray.dir_x = static_cast<float>(direction.x());
-  ray.ray.dir_y = static_cast<float>(direction.y());
-  ray.ray.dir_z = static_cast<float>(direction.z());
-  ray.ray.tfar = static_cast<float>(max_range);
-  ray.ray.mask = 0xFFFFFFFFU;
+  ray.ray = MakeRay(origin, direction, max_range);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);

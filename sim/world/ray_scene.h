@@ -1,7 +1,7 @@
 // Exact geometry of the world for sonar, depth truth and clearance, by Embree.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 
@@ -31,6 +31,13 @@ class RayScene {
   std::optional<RayHit> Cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                              double max_range) const;
 
+  /// Whether anything lies on the ray within `max_range` [m]; cheaper than Cast.
+  bool IsOccluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                  double max_range) const;
+
+  /// Around everything but planes [m, in W]; empty if there is nothing else.
+  const Eigen::AlignedBox3d& Bounds() const { return bounds_; }
+
   /// What is nearest to `point` [m, in W], if nearer than `max_distance` [m]. The hit's range is
   /// the distance and its normal points from the surface to the point.
   std::optional<RayHit> Nearest(const Eigen::Vector3d& point, double max_distance) const;
@@ -38,6 +45,7 @@ class RayScene {
  private:
   struct Embree;
   std::unique_ptr<Embree> embree_;
+  Eigen::AlignedBox3d bounds_;
 };
 
 }  // namespace drydock::sim

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "sim/optics/auto_exposure.h"
 #include "sim/optics/image_sensor.h"
 #include "sim/optics/underwater_optics.h"
 #include "sim/render/lens.h"
@@ -21,7 +22,9 @@ class Stages {
  public:
   Stages()
       : lens(dive.rig.stereo.cameras[0]),
-        optics(dive.scenario.water, lens.source()),
+        rays(dive.world),
+        shadows(rays, sim::DirectionToSun(dive.scenario.water)),
+        optics(dive.scenario.water, lens.source(), &shadows),
         renderer(dive.world, sim::RendererBackend::kAuto, lens.source().width,
                  lens.source().height) {
     for (const Pose& T_WI : dive.Poses(kPoses)) {
@@ -30,15 +33,21 @@ class Stages {
       optics.Apply(raw.back(), poses.back(), sim::ImageChannels::kMonochrome,
                    radiance.emplace_back());
       lens.ApplySmooth(radiance.back(), through_lens.emplace_back());
-      sensor.Expose(through_lens.back(), images.emplace_back());
+      sensor.Expose(through_lens.back(), Settled(through_lens.back()), 0, images.emplace_back());
     }
+  }
+
+  sim::Exposure Settled(const cv::Mat& light) const {
+    return sim::AutoExposure(dive.rig.stereo.imager, {}).Settled(sim::MeterLight(light));
   }
 
   BenchDive dive;
   sim::Lens lens;
+  sim::RayScene rays;
+  sim::DaylightGrid shadows;
   sim::UnderwaterOptics optics;
   sim::Renderer renderer;
-  sim::ImageSensor sensor{sim::ImageSensorConfig{}};
+  sim::ImageSensor sensor{dive.rig.stereo.imager, {}, dive.rig.stereo.cameras[0], 1, "cam0/noise"};
   std::vector<Pose> poses;
   std::vector<sim::RawImage> raw;
   std::vector<cv::Mat> radiance;
@@ -93,7 +102,9 @@ void LensResampling(::benchmark::State& state) {
 void Exposure(::benchmark::State& state) {
   Stages& stages = SharedStages();
   cv::Mat out;
-  Loop(state, [&](std::size_t i) { stages.sensor.Expose(stages.through_lens[i], out); });
+  Loop(state, [&](std::size_t i) {
+    stages.sensor.Expose(stages.through_lens[i], stages.Settled(stages.through_lens[i]), 0, out);
+  });
 }
 
 void WritePng(::benchmark::State& state) {

@@ -129,8 +129,11 @@ TEST(SetYaml, SetsReplacesAndAdds) {
   SetYaml(root, "list.1.m=text");
   SetYaml(root, "top=a=b");
   SetYaml(root, "empty=");
+  SetYaml(root, "not.there.yet=3");
   const YamlNode expected = ParseYaml(
-      "a: {x: 2.5, new: [1, two]}\nlist: [{m: 1}, {m: text}]\ntop: a=b\nempty:\n", "e.yaml");
+      "a: {x: 2.5, new: [1, two]}\nlist: [{m: 1}, {m: text}]\ntop: a=b\nempty:\n"
+      "not: {there: {yet: 3}}\n",
+      "e.yaml");
   EXPECT_TRUE(SameTree(root, expected)) << EmitYaml(root);
   EXPECT_THAT(root.Find("a")->Find("x")->place.ToString(), HasSubstr("--set a.x=2.5"));
 }
@@ -138,7 +141,7 @@ TEST(SetYaml, SetsReplacesAndAdds) {
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
   for (const char* bad :
-       {"a", "=1", "nothing.here=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
+       {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
         "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
     EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
   }

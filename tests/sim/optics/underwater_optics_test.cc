@@ -21,14 +21,18 @@ RawImage Wall(float depth, unsigned char code) {
   return raw;
 }
 
+/// The camera swims just under the surface, where daylight is full. There is no blur, so that each
+/// pixel stands for itself.
 WaterConfig Water(double visibility_m) {
   WaterConfig water;
   water.visibility_m = visibility_m;
+  water.surface_z_m = 0.0;
+  water.forward_scatter = 0.0;
   return water;
 }
 
 cv::Mat See(const WaterConfig& water, const RawImage& raw, const Pose& T_WC = kForward) {
-  UnderwaterOptics optics(water, kPinhole);
+  UnderwaterOptics optics(water, kPinhole, nullptr);
   cv::Mat radiance;
   optics.Apply(raw, T_WC, ImageChannels::kColor, radiance);
   return radiance.clone();
@@ -126,8 +130,23 @@ TEST(UnderwaterOptics, ItIsBrighterUpwards) {
   EXPECT_GT(Centre(See(Water(12.0), open, tilted))[1], 1.02F * Centre(See(Water(12.0), open))[1]);
 }
 
+// All light, that of surfaces and that of the veil, fades with the camera's depth as exp(-Kd
+// depth).
+TEST(UnderwaterOptics, DaylightFadesWithDepth) {
+  WaterConfig water = Water(12.0);
+  const RawImage raw = Wall(2.F, 200);
+  const cv::Vec3f shallow = Centre(See(water, raw));
+  water.surface_z_m = 10.0;
+  water.daylight = 0.5;
+  const cv::Vec3f deep = Centre(See(water, raw));
+  for (int channel = 0; channel < 3; ++channel) {
+    const double expected = 0.5 * std::exp(-10.0 * DiffuseAttenuation(water)[channel]);
+    EXPECT_NEAR(deep[channel] / shallow[channel], expected, 1e-5);
+  }
+}
+
 TEST(UnderwaterOptics, MonochromeIsAWeightedSum) {
-  UnderwaterOptics optics(Water(12.0), kPinhole);
+  UnderwaterOptics optics(Water(12.0), kPinhole, nullptr);
   cv::Mat color, monochrome;
   optics.Apply(Wall(2.F, 200), kForward, ImageChannels::kColor, color);
   optics.Apply(Wall(2.F, 200), kForward, ImageChannels::kMonochrome, monochrome);

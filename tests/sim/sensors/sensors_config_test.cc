@@ -28,6 +28,10 @@ TEST(SensorsConfig, SwitchesAreRead) {
   EXPECT_EQ(config.depth.latency.ns, 250'000'000);
   EXPECT_TRUE(config.image.color && config.depth_images);
   EXPECT_EQ(config.image.exposure, 2.5);
+  EXPECT_TRUE(config.image.noise && config.image.vignetting);
+  EXPECT_EQ(Read("stereo: {noise: false}\n").image.exposure, std::nullopt);
+  EXPECT_FALSE(Read("stereo: {noise: false}\n").image.noise);
+  EXPECT_FALSE(Read("stereo: {vignetting: false}\n").image.vignetting);
 }
 
 TEST(SensorsConfig, UnknownKeysAreRefused) {

@@ -28,9 +28,21 @@ class StereoCameraTest : public ::testing::Test {
     return testing::WriteScene(folder, testing::MarkerElement(kMarker, {-1, 0, 0}, 0.06));
   }
 
+  StereoCamera MakeCamera(const WaterConfig& water, const ImageSensorConfig& image,
+                          bool depth_images) {
+    return {{motion_, world_, rays_},
+            rig_.stereo,
+            water,
+            image,
+            depth_images,
+            RendererBackend::kAuto,
+            1};
+  }
+
   static inline const Eigen::Vector3d kMarker{2.0, 0.2, 0.1};
   testing::TemporaryFolder folder_;
   World world_{Scene(folder_.path())};
+  RayScene rays_{world_};
   Rig rig_ = LoadRig(FindRig("svin2_v3"));
   StillMotion motion_{Pose::Identity()};
 };
@@ -41,8 +53,11 @@ TEST_F(StereoCameraTest, LeftAndRightAreConsistent) {
   WaterConfig water;
   water.visibility_m = 0.0;
   water.sun_share = 0.0;
-  StereoCamera camera(motion_, world_, rig_.stereo, water, ImageSensorConfig{}, true,
-                      RendererBackend::kAuto);
+  water.surface_z_m = 0.0;
+  ImageSensorConfig image;
+  image.noise = false;
+  image.exposure = 1.6;
+  StereoCamera camera = MakeCamera(water, image, true);
   const Observation observation = camera.Observe();
   const auto& frame = std::get<StereoFrame>(observation.measurement.reading);
   std::array<Eigen::Vector2d, 2> spots;
@@ -61,8 +76,7 @@ TEST_F(StereoCameraTest, LeftAndRightAreConsistent) {
 }
 
 TEST_F(StereoCameraTest, SameBytesTwice) {
-  StereoCamera camera(motion_, world_, rig_.stereo, WaterConfig{}, ImageSensorConfig{}, false,
-                      RendererBackend::kAuto);
+  StereoCamera camera = MakeCamera(WaterConfig{}, ImageSensorConfig{}, false);
   const StereoFrame first = camera.Look(Pose::Identity(), nullptr);
   camera.Look(Pose(FromYawPitchRoll(0.5, 0.1, 0.0), {0.2, 0, 0}), nullptr);
   const StereoFrame again = camera.Look(Pose::Identity(), nullptr);
@@ -72,11 +86,45 @@ TEST_F(StereoCameraTest, SameBytesTwice) {
   }
 }
 
+// Fixed exposure in a still view: frames differ by their noise only, which another switch takes
+// off.
+TEST_F(StereoCameraTest, NoiseIsNewInEachFrame) {
+  ImageSensorConfig image;
+  for (const bool noise : {true, false}) {
+    image.noise = noise;
+    StereoCamera camera = MakeCamera(WaterConfig{}, image, false);
+    const auto first = std::get<StereoFrame>(camera.Observe().measurement.reading);
+    const auto second = std::get<StereoFrame>(camera.Observe().measurement.reading);
+    EXPECT_EQ(first.index, 0);
+    EXPECT_EQ(second.index, 1);
+    const bool same =
+        0 == std::memcmp(first.images[0].data, second.images[0].data, first.images[0].total());
+    EXPECT_EQ(same, !noise);
+  }
+}
+
+// Whatever the light, the mean of the picture settles where the sheet wants it.
+TEST_F(StereoCameraTest, ExposesByItself) {
+  ImageSensorConfig image;
+  image.vignetting = false;
+  WaterConfig water;
+  for (const double daylight : {1.0, 0.1}) {
+    water.daylight = daylight;
+    StereoCamera camera = MakeCamera(water, image, false);
+    const StereoFrame frame = camera.Look(Pose::Identity(), nullptr);
+    double light = 0.0;
+    for (int v = 0; v < 600; ++v) {
+      for (int u = 0; u < 800; ++u)
+        light += std::pow(frame.images[0].at<unsigned char>(v, u) / 255.0, 2.2) / 480'000.0;
+    }
+    EXPECT_NEAR(light, rig_.stereo.imager.auto_exposure_target, 0.01);
+  }
+}
+
 TEST_F(StereoCameraTest, ColourIsBgr) {
   ImageSensorConfig image;
   image.color = true;
-  StereoCamera camera(motion_, world_, rig_.stereo, WaterConfig{}, image, false,
-                      RendererBackend::kAuto);
+  StereoCamera camera = MakeCamera(WaterConfig{}, image, false);
   const StereoFrame frame = camera.Look(Pose::Identity(), nullptr);
   ASSERT_EQ(frame.images[0].type(), CV_8UC3);
   const auto water = frame.images[0].at<cv::Vec3b>(550, 50);

@@ -1,0 +1,25 @@
+// The inner loops of DaylightGrid: plain arrays that do not overlap, the same bits on every
+// instruction set (see optics_rows.h).
+#pragma once
+
+#include <cstdint>
+
+namespace drydock::sim::rows {
+
+struct Lattice {
+  float origin[3];   ///< [m], in W.
+  float per_metre;   ///< Points a metre.
+  int bricks[3];     ///< Along each axis.
+  float highest[3];  ///< Largest coordinate, in points.
+};
+
+/// Number of the brick of each place.
+void Bricks(const Lattice& lattice, int count, const float* x, const float* y, const float* z,
+            int* brick);
+/// Light at each place by interpolation between the eight points around it; `first` is where the
+/// points of each brick begin.
+void Interpolate(const Lattice& lattice, const int* first, const std::uint32_t* points, int count,
+                 const float* x, const float* y, const float* z, const int* brick, float* sun,
+                 float* sky);
+
+}  // namespace drydock::sim::rows
