@@ -1,6 +1,7 @@
 // An hour of the IMU at rest, seen through its Allan deviation.
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // Each of the IMU's errors by itself and all of them together.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
