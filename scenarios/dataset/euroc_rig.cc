@@ -16,6 +16,8 @@ namespace {
 
 constexpr Bounds kRate{0.01, 10'000.0};
 constexpr Bounds kNoise{0.0, 1e3};
+constexpr Bounds kSmall{0.0, 0.1};
+constexpr Bounds kLimit{0.0, 1e6};
 /// For recordings that do not say how large an IMU's first bias may be, or how the sonar turns.
 constexpr double kGyroTurnOnBias = 0.03;                      ///< [rad/s]
 constexpr double kAccelTurnOnBias = 0.1;                      ///< [m/s^2]
@@ -113,6 +115,14 @@ Pose ReadImu(const fs::path& mav0, const Warn& warn, ImuSheet& imu) {
     imu.accel_bias_walk = yaml.Real("accelerometer_random_walk", kNoise);
     imu.gyro_turn_on_bias = yaml.Real("gyroscope_turn_on_bias", kNoise, kGyroTurnOnBias);
     imu.accel_turn_on_bias = yaml.Real("accelerometer_turn_on_bias", kNoise, kAccelTurnOnBias);
+    imu.gyro_scale_error = yaml.Real("gyroscope_scale_error", kSmall, 0.0);
+    imu.accel_scale_error = yaml.Real("accelerometer_scale_error", kSmall, 0.0);
+    imu.gyro_misalignment = yaml.Real("gyroscope_misalignment", kSmall, 0.0);
+    imu.accel_misalignment = yaml.Real("accelerometer_misalignment", kSmall, 0.0);
+    imu.gyro_range = yaml.Real("gyroscope_range", kLimit, 0.0);
+    imu.accel_range = yaml.Real("accelerometer_range", kLimit, 0.0);
+    imu.gyro_resolution = yaml.Real("gyroscope_resolution", kNoise, 0.0);
+    imu.accel_resolution = yaml.Real("accelerometer_resolution", kNoise, 0.0);
   });
   return T_BI;
 }
@@ -136,6 +146,9 @@ void ReadPressure(const fs::path& mav0, const Warn& warn, const Pose& T_BI, Dept
     depth.p_ID = (T_BI.Inverse() * ReadMounting(yaml)).p();
     depth.rate_hz = yaml.Real("rate_hz", kRate);
     depth.noise_m = yaml.Real("depth_noise", kNoise);
+    depth.offset_m = yaml.Real("depth_offset", kNoise, 0.0);
+    depth.lag_s = yaml.Real("depth_lag", {0.0, 60.0}, 0.0);
+    depth.resolution_m = yaml.Real("depth_resolution", kNoise, 0.0);
   });
 }
 
@@ -181,9 +194,12 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
     all.push_back(std::move(camera));
   }
   const ImuSheet& imu = rig.imu;
-  all.push_back({kImuFolder,
-                 {imu.rate_hz, imu.gyro_noise_density, imu.accel_noise_density, imu.gyro_bias_walk,
-                  imu.accel_bias_walk, imu.gyro_turn_on_bias, imu.accel_turn_on_bias}});
+  all.push_back(
+      {kImuFolder,
+       {imu.rate_hz, imu.gyro_noise_density, imu.accel_noise_density, imu.gyro_bias_walk,
+        imu.accel_bias_walk, imu.gyro_turn_on_bias, imu.accel_turn_on_bias, imu.gyro_scale_error,
+        imu.accel_scale_error, imu.gyro_misalignment, imu.accel_misalignment, imu.gyro_range,
+        imu.accel_range, imu.gyro_resolution, imu.accel_resolution}});
   const SonarSheet& sonar = rig.sonar;
   Numbers pings{
       kSonarFolder,
@@ -192,7 +208,8 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
   all.push_back(std::move(pings));
   const DepthSheet& depth = rig.depth;
   all.push_back({kPressureFolder,
-                 {depth.rate_hz, depth.noise_m, depth.p_ID.x(), depth.p_ID.y(), depth.p_ID.z()}});
+                 {depth.rate_hz, depth.noise_m, depth.offset_m, depth.lag_s, depth.resolution_m,
+                  depth.p_ID.x(), depth.p_ID.y(), depth.p_ID.z()}});
   return all;
 }
 

@@ -58,8 +58,24 @@ std::string FormatCamera(const CameraIntrinsics& camera, const Pose& T_IC) {
   return out;
 }
 
+std::string FormatImager(const ImagerSheet& imager) {
+  std::string out = "  imager:\n";
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, "    gamma: {}\n", imager.gamma);
+  fmt::format_to(to, "    sensitivity_per_s: {}\n", imager.sensitivity_per_s);
+  fmt::format_to(to, "    shutter_max_s: {}\n", imager.shutter_max_s);
+  fmt::format_to(to, "    gain_max_db: {}\n", imager.gain_max_db);
+  fmt::format_to(to, "    auto_exposure_target: {}\n", imager.auto_exposure_target);
+  fmt::format_to(to, "    auto_exposure_time_s: {}\n", imager.auto_exposure_time_s);
+  fmt::format_to(to, "    full_well_e: {}\n", imager.full_well_e);
+  fmt::format_to(to, "    read_noise_e: {}\n", imager.read_noise_e);
+  fmt::format_to(to, "    vignetting: {}\n", imager.vignetting);
+  return out;
+}
+
 std::string FormatStereo(const StereoSheet& stereo) {
-  std::string out = fmt::format("stereo:\n  rate_hz: {}\n  cameras:\n", stereo.rate_hz);
+  std::string out = fmt::format("stereo:\n  rate_hz: {}\n", stereo.rate_hz);
+  out += FormatImager(stereo.imager) + "  cameras:\n";
   for (std::size_t i = 0; i < 2; ++i) out += FormatCamera(stereo.cameras[i], stereo.T_IC[i]);
   return out;
 }
@@ -74,6 +90,14 @@ std::string FormatImu(const ImuSheet& imu) {
   fmt::format_to(to, "  accel_bias_walk_m_s3_sqrthz: {}\n", imu.accel_bias_walk);
   fmt::format_to(to, "  gyro_turn_on_bias_rad_s: {}\n", imu.gyro_turn_on_bias);
   fmt::format_to(to, "  accel_turn_on_bias_m_s2: {}\n", imu.accel_turn_on_bias);
+  fmt::format_to(to, "  gyro_scale_error: {}\n", imu.gyro_scale_error);
+  fmt::format_to(to, "  accel_scale_error: {}\n", imu.accel_scale_error);
+  fmt::format_to(to, "  gyro_misalignment_rad: {}\n", imu.gyro_misalignment);
+  fmt::format_to(to, "  accel_misalignment_rad: {}\n", imu.accel_misalignment);
+  fmt::format_to(to, "  gyro_range_rad_s: {}\n", imu.gyro_range);
+  fmt::format_to(to, "  accel_range_m_s2: {}\n", imu.accel_range);
+  fmt::format_to(to, "  gyro_resolution_rad_s: {}\n", imu.gyro_resolution);
+  fmt::format_to(to, "  accel_resolution_m_s2: {}\n", imu.accel_resolution);
   return out;
 }
 
@@ -91,8 +115,15 @@ std::string FormatSonar(const SonarSheet& sonar) {
 }
 
 std::string FormatDepth(const DepthSheet& depth) {
-  return fmt::format("depth:\n  rate_hz: {}\n  position_m: {}\n  noise_m: {}\n", depth.rate_hz,
-                     List(depth.p_ID), depth.noise_m);
+  std::string out = "depth:\n";
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, "  rate_hz: {}\n", depth.rate_hz);
+  fmt::format_to(to, "  position_m: {}\n", List(depth.p_ID));
+  fmt::format_to(to, "  noise_m: {}\n", depth.noise_m);
+  fmt::format_to(to, "  offset_m: {}\n", depth.offset_m);
+  fmt::format_to(to, "  lag_s: {}\n", depth.lag_s);
+  fmt::format_to(to, "  resolution_m: {}\n", depth.resolution_m);
+  return out;
 }
 
 }  // namespace

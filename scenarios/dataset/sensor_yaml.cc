@@ -62,6 +62,17 @@ std::string FormatImuYaml(const Rig& rig) {
                  imu.gyro_turn_on_bias);
   fmt::format_to(to, "accelerometer_turn_on_bias: {}  # standard deviation [m/s^2]\n",
                  imu.accel_turn_on_bias);
+  fmt::format_to(to, "gyroscope_scale_error: {}  # standard deviation\n", imu.gyro_scale_error);
+  fmt::format_to(to, "accelerometer_scale_error: {}  # standard deviation\n",
+                 imu.accel_scale_error);
+  fmt::format_to(to, "gyroscope_misalignment: {}  # standard deviation [rad]\n",
+                 imu.gyro_misalignment);
+  fmt::format_to(to, "accelerometer_misalignment: {}  # standard deviation [rad]\n",
+                 imu.accel_misalignment);
+  fmt::format_to(to, "gyroscope_range: {}  # [rad/s], 0 is no limit\n", imu.gyro_range);
+  fmt::format_to(to, "accelerometer_range: {}  # [m/s^2], 0 is no limit\n", imu.accel_range);
+  fmt::format_to(to, "gyroscope_resolution: {}  # [rad/s]\n", imu.gyro_resolution);
+  fmt::format_to(to, "accelerometer_resolution: {}  # [m/s^2]\n", imu.accel_resolution);
   return out;
 }
 
@@ -82,10 +93,16 @@ std::string FormatSonarYaml(const Rig& rig) {
 }
 
 std::string FormatPressureYaml(const Rig& rig) {
-  return FormatHead("pressure", "depth below the surface, positive downwards",
-                    Pose(Eigen::Quaterniond::Identity(), rig.depth.p_ID)) +
-         fmt::format("rate_hz: {}\ndepth_noise: {}  # standard deviation [m]\n", rig.depth.rate_hz,
-                     rig.depth.noise_m);
+  const DepthSheet& depth = rig.depth;
+  std::string out = FormatHead("pressure", "depth below the surface, positive downwards",
+                               Pose(Eigen::Quaterniond::Identity(), depth.p_ID));
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, "rate_hz: {}\n", depth.rate_hz);
+  fmt::format_to(to, "depth_noise: {}  # standard deviation [m]\n", depth.noise_m);
+  fmt::format_to(to, "depth_offset: {}  # standard deviation of a constant [m]\n", depth.offset_m);
+  fmt::format_to(to, "depth_lag: {}  # time constant [s]\n", depth.lag_s);
+  fmt::format_to(to, "depth_resolution: {}  # [m]\n", depth.resolution_m);
+  return out;
 }
 
 std::string FormatTruthYaml() {

@@ -13,6 +13,8 @@ namespace {
 constexpr Bounds kRate{0.01, 10'000.0};
 constexpr Bounds kOffset{-10.0, 10.0};
 constexpr Bounds kNoise{0.0, 1e3};
+constexpr Bounds kSmall{0.0, 0.1};  // What a sheet gives to first order: shares and angles.
+constexpr Bounds kLimit{0.0, 1e6};
 
 Eigen::Quaterniond ReadQuaternion(YamlReader& yaml) {
   const std::vector<double> q = yaml.Reals("quaternion_xyzw", {-1.0, 1.0}, 4);
@@ -86,6 +88,20 @@ ImuSheet ReadImu(YamlReader& yaml) {
   imu.accel_bias_walk = yaml.Real("accel_bias_walk_m_s3_sqrthz", kNoise);
   imu.gyro_turn_on_bias = yaml.Real("gyro_turn_on_bias_rad_s", kNoise);
   imu.accel_turn_on_bias = yaml.Real("accel_turn_on_bias_m_s2", kNoise);
+  imu.gyro_scale_error = yaml.Real("gyro_scale_error", kSmall, 0.0);
+  imu.accel_scale_error = yaml.Real("accel_scale_error", kSmall, 0.0);
+  imu.gyro_misalignment = yaml.Real("gyro_misalignment_rad", kSmall, 0.0);
+  imu.accel_misalignment = yaml.Real("accel_misalignment_rad", kSmall, 0.0);
+  imu.gyro_range = yaml.Real("gyro_range_rad_s", kLimit, 0.0);
+  imu.accel_range = yaml.Real("accel_range_m_s2", kLimit, 0.0);
+  imu.gyro_resolution = yaml.Real("gyro_resolution_rad_s", kNoise, 0.0);
+  imu.accel_resolution = yaml.Real("accel_resolution_m_s2", kNoise, 0.0);
+  if (imu.gyro_range > 0.0 && imu.gyro_resolution > imu.gyro_range) {
+    yaml.Fail("gyro_resolution_rad_s", "at most gyro_range_rad_s");
+  }
+  if (imu.accel_range > 0.0 && imu.accel_resolution > imu.accel_range) {
+    yaml.Fail("accel_resolution_m_s2", "at most accel_range_m_s2");
+  }
   return imu;
 }
 
@@ -106,6 +122,9 @@ DepthSheet ReadDepth(YamlReader& yaml) {
   depth.rate_hz = yaml.Real("rate_hz", kRate);
   depth.p_ID = yaml.Vector3("position_m", kOffset);
   depth.noise_m = yaml.Real("noise_m", kNoise);
+  depth.offset_m = yaml.Real("offset_m", kNoise, 0.0);
+  depth.lag_s = yaml.Real("lag_s", {0.0, 60.0}, 0.0);
+  depth.resolution_m = yaml.Real("resolution_m", kNoise, 0.0);
   return depth;
 }
 

@@ -52,6 +52,15 @@ struct ImuSheet {
   double accel_bias_walk = 0.0;      ///< [m/s^3/sqrt(Hz)]
   double gyro_turn_on_bias = 0.0;    ///< Standard deviation of the initial bias [rad/s].
   double accel_turn_on_bias = 0.0;   ///< Standard deviation of the initial bias [m/s^2].
+  // Not every sheet says these; 0 is none.
+  double gyro_scale_error = 0.0;    ///< Standard deviation, of each axis, as a share.
+  double accel_scale_error = 0.0;   ///< Standard deviation, of each axis, as a share.
+  double gyro_misalignment = 0.0;   ///< Standard deviation of one axis towards another [rad].
+  double accel_misalignment = 0.0;  ///< Standard deviation of one axis towards another [rad].
+  double gyro_range = 0.0;          ///< Largest reading [rad/s]; 0: no limit.
+  double accel_range = 0.0;         ///< Largest reading [m/s^2]; 0: no limit.
+  double gyro_resolution = 0.0;     ///< Step between readings [rad/s].
+  double accel_resolution = 0.0;    ///< Step between readings [m/s^2].
 };
 
 /// A profiling sonar whose head turns by a fixed step each ping; it scans the x-y plane of S.
@@ -68,6 +77,10 @@ struct DepthSheet {
   double rate_hz = 0.0;
   Eigen::Vector3d p_ID = Eigen::Vector3d::Zero();  ///< Position of the pressure port [m], in I.
   double noise_m = 0.0;                            ///< Standard deviation of white noise.
+  // Not every sheet says these; 0 is none.
+  double offset_m = 0.0;      ///< Standard deviation of the offset, which is constant in a dive.
+  double lag_s = 0.0;         ///< Time constant of a lag of first order.
+  double resolution_m = 0.0;  ///< Step between readings.
 };
 
 /// A rig without sonar or without pressure sensor has rate_hz = 0 there.

@@ -15,7 +15,8 @@ ImuSample IdealImu(const MotionState& state);
 
 class Imu final : public Sensor {
  public:
-  /// `motion` must outlive the sensor. Without `noise` it is ideal.
+  /// `motion` must outlive the sensor. Without `noise` it is ideal; else the sheet says which
+  /// errors it has (ImuNoise).
   Imu(const Motion& motion, const ImuSheet& sheet, bool noise, std::uint64_t seed);
 
   Time NextTime() const override { return SampleTime(Time{}, next_, sheet_.rate_hz); }

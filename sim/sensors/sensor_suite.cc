@@ -16,13 +16,14 @@ SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& ray
     if (present && switches.enabled) slots_.push_back({make(), switches.latency});
   };
   add(true, config.imu, [&] {
-    auto imu = std::make_unique<Imu>(motion, rig.imu, config.imu.noise, seed);
+    auto imu = std::make_unique<Imu>(motion, KeepEffects(rig.imu, config.imu_effects),
+                                     config.imu.noise, seed);
     imu_ = imu.get();
     return imu;
   });
   add(rig.HasDepth(), config.depth, [&] {
-    return std::make_unique<DepthSensor>(motion, rig.depth, water.surface_z_m, config.depth.noise,
-                                         seed);
+    return std::make_unique<DepthSensor>(motion, KeepEffects(rig.depth, config.depth_effects),
+                                         water.surface_z_m, config.depth.noise, seed);
   });
   add(rig.HasSonar(), config.sonar, [&] {
     return std::make_unique<Sonar>(motion, world, rays, rig.sonar, config.sonar.noise, seed);

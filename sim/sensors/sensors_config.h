@@ -3,6 +3,8 @@
 
 #include "sensors_models/base/time.h"
 #include "sensors_models/base/yaml_reader.h"
+#include "sensors_models/noise/imu_noise.h"
+#include "sensors_models/noise/pressure_noise.h"
 #include "sim/optics/image_sensor.h"
 
 namespace drydock::sim {
@@ -19,7 +21,9 @@ struct SensorsConfig {
   SensorSwitches stereo;
   SensorSwitches sonar;
   SensorSwitches depth;
-  bool depth_images = false;  ///< True depth beside each image.
+  ImuEffects imu_effects;         ///< Of an IMU with noise; all on by default.
+  PressureEffects depth_effects;  ///< Of a pressure sensor with noise; all on by default.
+  bool depth_images = false;      ///< True depth beside each image.
   ImageSensorConfig image;
 };
 

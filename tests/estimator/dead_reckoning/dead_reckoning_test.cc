@@ -48,6 +48,31 @@ TEST(DeadReckoning, DepthHoldsTheHeight) {
   EXPECT_LT(std::abs(estimator.Latest()->state.T_WI.p().z()), 0.03);
 }
 
+// A pressure sensor's zero may be wrong by metres: what counts is the change since the first
+// reading.
+TEST(DeadReckoning, AConstantOffsetOfDepthChangesNothing) {
+  Rig rig;
+  rig.depth.p_ID = {-0.3, 0.1, 0.05};
+  NavState known;  // Nose down, so that the port is above I by its lever arm.
+  known.T_WI = Pose(FromYawPitchRoll(0.3, 0.4, 0.0), {1, 2, 3});
+  ImuSample sample;
+  sample.specific_force = known.T_WI.q().conjugate() * Eigen::Vector3d(0, 0, 9.81 - 0.002);
+  const auto height_at_the_end = [&](double offset) {
+    DeadReckoning estimator(rig);
+    estimator.Start(known);
+    for (int k = 0; k <= 6000; ++k) {
+      const double t = 0.01 * k;
+      estimator.Add(At(t, sample));
+      if (k % 100 == 0) estimator.Add(At(t, DepthSample{offset + 0.5 * 0.002 * t * t}));
+    }
+    return estimator.Latest()->state.T_WI.p().z();
+  };
+  const double without = height_at_the_end(0.0);
+  EXPECT_NEAR(without, 3.0 - 3.6, 1e-6);  // 0.002 m/s^2 for 60 s.
+  EXPECT_NEAR(height_at_the_end(2.0), without, 1e-9);
+  EXPECT_NEAR(height_at_the_end(-0.7), without, 1e-9);
+}
+
 TEST(DeadReckoning, NonsenseIsIgnored) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   DeadReckoning estimator(Rig{});

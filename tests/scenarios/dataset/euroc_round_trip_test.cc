@@ -79,6 +79,8 @@ TEST_F(EurocRoundTrip, RigAndTruthComeBack) {
   EXPECT_EQ(reader.rig().name, "svin2_v3");
   EXPECT_EQ(reader.rig().stereo.T_IC[1].q().coeffs(), SmallRig().stereo.T_IC[1].q().coeffs());
   EXPECT_EQ(reader.rig().sonar.step_rad, SmallRig().sonar.step_rad);
+  EXPECT_EQ(reader.rig().imu.gyro_range, SmallRig().imu.gyro_range);
+  EXPECT_EQ(reader.rig().depth.resolution_m, SmallRig().depth.resolution_m);
   RandomStream random(2, "truth");
   const std::vector<StampedTruth> truth = reader.ReadTruth();
   ASSERT_EQ(truth.size(), 10U);
@@ -91,6 +93,23 @@ TEST_F(EurocRoundTrip, RigAndTruthComeBack) {
     EXPECT_EQ(row.state.accel_bias, expected.accel_bias);
   }
   EXPECT_EQ(ToTrajectory(truth).size(), 10U);
+}
+
+TEST_F(EurocRoundTrip, SensorSheetsSayTheSameAsTheRig) {
+  Record(SmallDive());
+  fs::remove(mav0() / "rig.yaml");
+  const Rig read = EurocReader(target()).rig(), rig = SmallRig();
+  EXPECT_EQ(read.imu.gyro_scale_error, rig.imu.gyro_scale_error);
+  EXPECT_EQ(read.imu.accel_scale_error, rig.imu.accel_scale_error);
+  EXPECT_EQ(read.imu.gyro_misalignment, rig.imu.gyro_misalignment);
+  EXPECT_EQ(read.imu.accel_misalignment, rig.imu.accel_misalignment);
+  EXPECT_EQ(read.imu.gyro_range, rig.imu.gyro_range);
+  EXPECT_EQ(read.imu.accel_range, rig.imu.accel_range);
+  EXPECT_EQ(read.imu.gyro_resolution, rig.imu.gyro_resolution);
+  EXPECT_EQ(read.imu.accel_resolution, rig.imu.accel_resolution);
+  EXPECT_EQ(read.depth.offset_m, rig.depth.offset_m);
+  EXPECT_EQ(read.depth.lag_s, rig.depth.lag_s);
+  EXPECT_EQ(read.depth.resolution_m, rig.depth.resolution_m);
 }
 
 TEST_F(EurocRoundTrip, TheSameDiveGivesTheSameBytes) {

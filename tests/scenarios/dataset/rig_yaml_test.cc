@@ -32,6 +32,14 @@ void ExpectSame(const Rig& a, const Rig& b) {
   EXPECT_EQ(a.imu.accel_bias_walk, b.imu.accel_bias_walk);
   EXPECT_EQ(a.imu.gyro_turn_on_bias, b.imu.gyro_turn_on_bias);
   EXPECT_EQ(a.imu.accel_turn_on_bias, b.imu.accel_turn_on_bias);
+  EXPECT_EQ(a.imu.gyro_scale_error, b.imu.gyro_scale_error);
+  EXPECT_EQ(a.imu.accel_scale_error, b.imu.accel_scale_error);
+  EXPECT_EQ(a.imu.gyro_misalignment, b.imu.gyro_misalignment);
+  EXPECT_EQ(a.imu.accel_misalignment, b.imu.accel_misalignment);
+  EXPECT_EQ(a.imu.gyro_range, b.imu.gyro_range);
+  EXPECT_EQ(a.imu.accel_range, b.imu.accel_range);
+  EXPECT_EQ(a.imu.gyro_resolution, b.imu.gyro_resolution);
+  EXPECT_EQ(a.imu.accel_resolution, b.imu.accel_resolution);
   EXPECT_EQ(a.sonar.rate_hz, b.sonar.rate_hz);
   ExpectSame(a.sonar.T_IS, b.sonar.T_IS);
   EXPECT_EQ(a.sonar.step_rad, b.sonar.step_rad);
@@ -41,6 +49,9 @@ void ExpectSame(const Rig& a, const Rig& b) {
   EXPECT_EQ(a.depth.rate_hz, b.depth.rate_hz);
   EXPECT_EQ(a.depth.p_ID, b.depth.p_ID);
   EXPECT_EQ(a.depth.noise_m, b.depth.noise_m);
+  EXPECT_EQ(a.depth.offset_m, b.depth.offset_m);
+  EXPECT_EQ(a.depth.lag_s, b.depth.lag_s);
+  EXPECT_EQ(a.depth.resolution_m, b.depth.resolution_m);
 }
 
 Rig ReadBack(const Rig& rig) { return ReadRig(ParseYaml(FormatRig(rig), "rig.yaml")); }
@@ -63,6 +74,13 @@ TEST(FormatRig, AlsoWhereItWasDisturbed) {
     rig.stereo.cameras[0].fx *= 1.0 + 0.01 * random.Gaussian();
     rig.imu.gyro_bias_walk *= 1.0 + 0.1 * random.Uniform();
     rig.sonar.step_rad = random.Uniform(0.1, 90.0) * M_PI / 180.0;
+    for (double* value :
+         {&rig.imu.gyro_scale_error, &rig.imu.accel_scale_error, &rig.imu.gyro_misalignment,
+          &rig.imu.accel_misalignment, &rig.imu.gyro_range, &rig.imu.accel_range,
+          &rig.imu.gyro_resolution, &rig.imu.accel_resolution, &rig.depth.offset_m,
+          &rig.depth.lag_s, &rig.depth.resolution_m}) {
+      *value *= 1.0 + 0.1 * random.Uniform();
+    }
     ExpectSame(ReadBack(rig), rig);
   }
 }

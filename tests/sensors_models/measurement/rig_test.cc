@@ -41,6 +41,45 @@ TEST(Rig, Svin2Version3LooksForwardAndScansAcross) {
   EXPECT_GT(rig.stereo.T_IC[0].p().y(), rig.stereo.T_IC[1].p().y());
 }
 
+// 300 deg/s, 5 g, 0.008 deg/s, 0.1 mg and 0.05 deg.
+TEST(Rig, Svin2Version3HasLimits) {
+  const Rig rig = LoadRig(FindRig("svin2_v3"));
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  EXPECT_NEAR(rig.imu.gyro_range, 300.0 * kDegree, 1e-3);
+  EXPECT_NEAR(rig.imu.accel_range, 5.0 * 9.80665, 1e-2);
+  EXPECT_NEAR(rig.imu.gyro_resolution, 0.008 * kDegree, 1e-6);
+  EXPECT_NEAR(rig.imu.accel_resolution, 1e-4 * 9.80665, 1e-6);
+  EXPECT_NEAR(rig.imu.gyro_misalignment, 0.05 * kDegree, 1e-5);
+  EXPECT_EQ(rig.imu.gyro_misalignment, rig.imu.accel_misalignment);
+  EXPECT_EQ(rig.imu.gyro_scale_error, 5e-4);
+  EXPECT_EQ(rig.imu.accel_scale_error, 5e-4);
+  EXPECT_EQ(rig.depth.offset_m, 0.5);
+  EXPECT_EQ(rig.depth.lag_s, 0.02);
+  EXPECT_EQ(rig.depth.resolution_m, 0.002);
+}
+
+/// `text` without the lines from the one that has `first` to the one that has `last`.
+std::string WithoutLines(const std::string& text, const std::string& first,
+                         const std::string& last) {
+  const auto begin = text.rfind('\n', text.find(first)) + 1;
+  const auto end = text.find('\n', text.find(last)) + 1;
+  return text.substr(0, begin) + text.substr(end);
+}
+
+TEST(Rig, WhatASheetNeedNotSayIsNone) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  text = WithoutLines(text, "gyro_scale_error", "accel_resolution_m_s2");
+  text = WithoutLines(text, "  offset_m", "resolution_m:");
+  const Rig rig = ReadRig(ParseYaml(text, "short.yaml"));
+  for (const double value :
+       {rig.imu.gyro_scale_error, rig.imu.accel_scale_error, rig.imu.gyro_misalignment,
+        rig.imu.accel_misalignment, rig.imu.gyro_range, rig.imu.accel_range,
+        rig.imu.gyro_resolution, rig.imu.accel_resolution, rig.depth.offset_m, rig.depth.lag_s,
+        rig.depth.resolution_m}) {
+    EXPECT_EQ(value, 0.0);
+  }
+}
+
 TEST(Rig, UnknownNameIsAnError) {
   EXPECT_THROW(FindRig("no_such_rig"), InputError);
   EXPECT_EQ(FindRig("some/where.yaml"), "some/where.yaml");
@@ -85,6 +124,14 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"Nan", "1.60e-4", ".nan", "gyro_noise_density_rad_s_sqrthz"},
         Edit{"Ranges", "max_range_m: 6.0", "max_range_m: 0.1", "more than min_range_m"},
         Edit{"Step", "step_deg: 0.9", "step_deg: 0", "step_deg is 0"},
+        Edit{"ScaleError", "gyro_scale_error: 5.0e-4", "gyro_scale_error: 5.0", "from 0 to 0.1"},
+        Edit{"Misalignment", "accel_misalignment_rad: 8.7e-4", "accel_misalignment_rad: -1e-4",
+             "imu.accel_misalignment_rad"},
+        Edit{"GyroSteps", "gyro_resolution_rad_s: 1.4e-4", "gyro_resolution_rad_s: 9",
+             "at most gyro_range_rad_s"},
+        Edit{"AccelSteps", "accel_resolution_m_s2: 9.8e-4", "accel_resolution_m_s2: 99",
+             "at most accel_range_m_s2"},
+        Edit{"Lag", "lag_s: 0.02", "lag_s: -0.02", "depth.lag_s"},
         Edit{"Quoted", "noise_m: 0.002", "noise_m: '0.002'", "depth.noise_m"}),
     [](const auto& test) { return test.param.name; });
 

@@ -1,6 +1,7 @@
 #include "sensors_models/noise/imu_noise.h"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -42,21 +43,56 @@ TEST(ImuNoise, WhiteNoiseHasItsDensity) {
   EXPECT_NEAR(std::sqrt(squares / (3.0 * kSamples)), 1.6e-4 * 10.0, 0.01 * 1.6e-3);
 }
 
-// The bias after T seconds has variance turn_on^2 + walk^2 T; chi-square over 100 seeds and three
-// axes.
+/// Squares of `change` in standard deviations, added up.
+double Normalised(const Eigen::Vector3d& change, double sigma) {
+  return change.squaredNorm() / (sigma * sigma);
+}
+
+// From the start, the bias has walked by walk^2 T after T seconds, at whatever T one looks; and
+// what it walks from one look to the next is independent of before. Chi-square over 100 seeds, both
+// triples and three axes: 600 degrees of freedom, of which 99.9 % lie within 492 and 721.
 TEST(ImuNoise, BiasWalksAsItShould) {
-  double chi_square = 0.0;
-  constexpr int kSeeds = 100, kSteps = 2000;
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    ImuNoise noise(Sheet(), static_cast<std::uint64_t>(seed));
-    const Eigen::Vector3d start = noise.accel_bias();
-    for (int i = 0; i < kSteps; ++i) noise.Corrupt({});
-    const double variance = 2.87e-5 * 2.87e-5 * kSteps / 100.0;
-    chi_square += (noise.accel_bias() - start).squaredNorm() / variance;
+  constexpr int kSeeds = 100;
+  const ImuSheet sheet = Sheet();
+  std::map<int, double> from_start = {{1, 0.0}, {10, 0.0}, {100, 0.0}, {500, 0.0}, {2000, 0.0}};
+  std::map<int, double> from_last = from_start;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    ImuNoise noise(sheet, seed);
+    const Eigen::Vector3d gyro_start = noise.gyro_bias(), accel_start = noise.accel_bias();
+    Eigen::Vector3d gyro_last = gyro_start, accel_last = accel_start;
+    int steps = 0;
+    for (auto& [look, sum] : from_start) {
+      const double since_start = std::sqrt(look / sheet.rate_hz);
+      const double since_last = std::sqrt((look - steps) / sheet.rate_hz);
+      for (; steps < look; ++steps) noise.Corrupt({});
+      sum += Normalised(noise.gyro_bias() - gyro_start, sheet.gyro_bias_walk * since_start) +
+             Normalised(noise.accel_bias() - accel_start, sheet.accel_bias_walk * since_start);
+      from_last[look] +=
+          Normalised(noise.gyro_bias() - gyro_last, sheet.gyro_bias_walk * since_last) +
+          Normalised(noise.accel_bias() - accel_last, sheet.accel_bias_walk * since_last);
+      gyro_last = noise.gyro_bias();
+      accel_last = noise.accel_bias();
+    }
   }
-  // 300 degrees of freedom: 99.9 % lie within 225 and 387.
-  EXPECT_GT(chi_square, 225.0);
-  EXPECT_LT(chi_square, 387.0);
+  for (const auto& chi_square : {from_start, from_last}) {
+    for (const auto& [steps, sum] : chi_square) {
+      EXPECT_GT(sum, 492.0) << steps;
+      EXPECT_LT(sum, 721.0) << steps;
+    }
+  }
+}
+
+// As above, of the first bias.
+TEST(ImuNoise, TurnOnBiasesHaveTheirSpread) {
+  const ImuSheet sheet = Sheet();
+  double chi_square = 0.0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const ImuNoise noise(sheet, seed);
+    chi_square += Normalised(noise.gyro_bias(), sheet.gyro_turn_on_bias) +
+                  Normalised(noise.accel_bias(), sheet.accel_turn_on_bias);
+  }
+  EXPECT_GT(chi_square, 492.0);
+  EXPECT_LT(chi_square, 721.0);
 }
 
 TEST(ImuNoise, TurnOnBiasesDifferBySeedAndAxis) {

@@ -53,5 +53,26 @@ TEST(Imu, FiresOnTheGridAndTellsItsBiases) {
   }
 }
 
+// What it says of the truth stays the biases, whatever else is wrong.
+TEST(Imu, TheTruthIsItsBiasesUnderAllErrors) {
+  const StillMotion motion(Pose::Identity());
+  ImuSheet sheet = LoadRig(FindRig("svin2_v3")).imu;
+  Imu with_all(motion, sheet, true, 3);
+  const ImuEffects bias_only{.white_noise = false,
+                             .scale_error = false,
+                             .misalignment = false,
+                             .saturation = false,
+                             .quantisation = false};
+  Imu with_biases(motion, KeepEffects(sheet, bias_only), true, 3);
+  for (int k = 0; k < 100; ++k) {
+    const Observation all = with_all.Observe(), biases = with_biases.Observe();
+    const auto& truth = std::get<ImuTruth>(all.truth);
+    const auto& sample = std::get<ImuSample>(biases.measurement.reading);
+    EXPECT_LT((sample.angular_rate - truth.gyro_bias).norm(), 1e-15);
+    EXPECT_LT((sample.specific_force - truth.accel_bias - Eigen::Vector3d(0, 0, 9.81)).norm(),
+              1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace drydock::sim

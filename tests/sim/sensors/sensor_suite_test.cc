@@ -104,6 +104,34 @@ TEST_F(SensorSuiteTest, OneSensorDoesNotDisturbAnother) {
   }
 }
 
+// A switch is the same as a rig without that effect, and does something.
+TEST_F(SensorSuiteTest, EffectsAreOffWhereTheyAreSwitchedOff) {
+  SensorsConfig config = NoCamera();
+  config.imu_effects.quantisation = config.imu_effects.misalignment = false;
+  config.depth_effects.offset = false;
+  const auto all = Collect(NoCamera(), 1, 2.0);
+  const auto switched = Collect(config, 1, 2.0);
+  rig_.imu.gyro_resolution = rig_.imu.accel_resolution = 0.0;
+  rig_.imu.gyro_misalignment = rig_.imu.accel_misalignment = 0.0;
+  rig_.depth.offset_m = 0.0;
+  const auto without = Collect(NoCamera(), 1, 2.0);
+  const auto imu_all = Select<ImuSample>(all), imu_switched = Select<ImuSample>(switched),
+             imu_without = Select<ImuSample>(without);
+  ASSERT_EQ(imu_switched.size(), imu_without.size());
+  for (std::size_t i = 0; i < imu_switched.size(); ++i) {
+    EXPECT_EQ(imu_switched[i].second.angular_rate, imu_without[i].second.angular_rate);
+    EXPECT_EQ(imu_switched[i].second.specific_force, imu_without[i].second.specific_force);
+    EXPECT_NE(imu_switched[i].second.specific_force, imu_all[i].second.specific_force);
+  }
+  const auto depth_all = Select<DepthSample>(all), depth_switched = Select<DepthSample>(switched),
+             depth_without = Select<DepthSample>(without);
+  ASSERT_EQ(depth_switched.size(), depth_without.size());
+  for (std::size_t i = 0; i < depth_switched.size(); ++i) {
+    EXPECT_EQ(depth_switched[i].second.depth, depth_without[i].second.depth);
+    EXPECT_NE(depth_switched[i].second.depth, depth_all[i].second.depth);
+  }
+}
+
 TEST_F(SensorSuiteTest, NoiseIsOffWhereItIsSwitchedOff) {
   SensorsConfig config = NoCamera();
   config.imu.noise = config.sonar.noise = config.depth.noise = false;

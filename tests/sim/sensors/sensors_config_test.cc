@@ -34,10 +34,58 @@ TEST(SensorsConfig, SwitchesAreRead) {
   EXPECT_FALSE(Read("stereo: {vignetting: false}\n").image.vignetting);
 }
 
+TEST(SensorsConfig, EffectsAreOnByDefault) {
+  const SensorsConfig config = Read("imu: {}\ndepth: {}\n");
+  const ImuEffects& imu = config.imu_effects;
+  EXPECT_TRUE(imu.white_noise && imu.bias_walk && imu.turn_on_bias && imu.scale_error);
+  EXPECT_TRUE(imu.misalignment && imu.saturation && imu.quantisation);
+  const PressureEffects& depth = config.depth_effects;
+  EXPECT_TRUE(depth.white_noise && depth.offset && depth.lag && depth.quantisation);
+}
+
+/// How many effects are off.
+int CountOff(const SensorsConfig& config) {
+  const ImuEffects& imu = config.imu_effects;
+  const PressureEffects& depth = config.depth_effects;
+  int off = 0;
+  for (const bool on : {imu.white_noise, imu.bias_walk, imu.turn_on_bias, imu.scale_error,
+                        imu.misalignment, imu.saturation, imu.quantisation, depth.white_noise,
+                        depth.offset, depth.lag, depth.quantisation}) {
+    off += on ? 0 : 1;
+  }
+  return off;
+}
+
+TEST(SensorsConfig, EachEffectHasAKeyOfItsOwn) {
+  const auto imu = [](const std::string& key) { return Read("imu: {" + key + ": false}\n"); };
+  const auto depth = [](const std::string& key) { return Read("depth: {" + key + ": false}\n"); };
+  EXPECT_FALSE(imu("white_noise").imu_effects.white_noise);
+  EXPECT_FALSE(imu("bias_walk").imu_effects.bias_walk);
+  EXPECT_FALSE(imu("turn_on_bias").imu_effects.turn_on_bias);
+  EXPECT_FALSE(imu("scale_error").imu_effects.scale_error);
+  EXPECT_FALSE(imu("misalignment").imu_effects.misalignment);
+  EXPECT_FALSE(imu("saturation").imu_effects.saturation);
+  EXPECT_FALSE(imu("quantisation").imu_effects.quantisation);
+  for (const char* key : {"white_noise", "bias_walk", "turn_on_bias", "scale_error", "misalignment",
+                          "saturation", "quantisation"}) {
+    EXPECT_EQ(CountOff(imu(key)), 1) << key;
+  }
+  EXPECT_FALSE(depth("white_noise").depth_effects.white_noise);
+  EXPECT_FALSE(depth("offset").depth_effects.offset);
+  EXPECT_FALSE(depth("lag").depth_effects.lag);
+  EXPECT_FALSE(depth("quantisation").depth_effects.quantisation);
+  for (const char* key : {"white_noise", "offset", "lag", "quantisation"}) {
+    EXPECT_EQ(CountOff(depth(key)), 1) << key;
+  }
+}
+
 TEST(SensorsConfig, UnknownKeysAreRefused) {
   EXPECT_THROW(Read("lidar: {}\n"), InputError);
   EXPECT_THROW(Read("imu: {nose: false}\n"), InputError);
   EXPECT_THROW(Read("imu: {noise: no}\n"), InputError);
+  EXPECT_THROW(Read("imu: {lag: false}\n"), InputError);
+  EXPECT_THROW(Read("imu: {scale_error: 0}\n"), InputError);
+  EXPECT_THROW(Read("sonar: {white_noise: false}\n"), InputError);
   EXPECT_THROW(Read("depth: {latency_s: -1}\n"), InputError);
 }
 
