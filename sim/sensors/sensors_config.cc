@@ -20,7 +20,11 @@ void ReadNoisySensor(YamlReader& yaml, std::string_view key, SensorSwitches& swi
 SensorsConfig ReadSensors(YamlReader& yaml) {
   SensorsConfig config;
   ReadNoisySensor(yaml, "imu", config.imu);
-  ReadNoisySensor(yaml, "sonar", config.sonar);
+  yaml.OptionalMap("sonar", [&](YamlReader& sonar) {
+    ReadSwitches(sonar, config.sonar);
+    config.sonar.noise = sonar.Boolean("noise", config.sonar.noise);
+    config.sonar_effects = ReadSonarEffects(sonar);
+  });
   ReadNoisySensor(yaml, "depth", config.depth);
   yaml.OptionalMap("stereo", [&](YamlReader& stereo) {
     ReadSwitches(stereo, config.stereo);

@@ -4,6 +4,7 @@
 #include "sensors_models/base/time.h"
 #include "sensors_models/base/yaml_reader.h"
 #include "sim/optics/image_sensor.h"
+#include "sim/sensors/sonar_effects.h"
 
 namespace drydock::sim {
 
@@ -18,6 +19,7 @@ struct SensorsConfig {
   SensorSwitches imu;
   SensorSwitches stereo;
   SensorSwitches sonar;
+  SonarEffects sonar_effects;
   SensorSwitches depth;
   bool depth_images = false;  ///< True depth beside each image.
   ImageSensorConfig image;
