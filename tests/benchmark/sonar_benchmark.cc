@@ -43,7 +43,7 @@ void SonarFans(::benchmark::State& state) {
   state.SetItemsProcessed(ping * beam.directions.cols());
 }
 
-/// Pings a second; `time_a_simulated_s` is what one at its rate costs of one core.
+/// Pings a second; `time_a_simulated_s` is the time of one core for a second of them.
 void SonarPings(::benchmark::State& state) {
   const BenchDive dive;
   const sim::RayScene rays(dive.world);
