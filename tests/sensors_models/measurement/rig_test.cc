@@ -85,6 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"Nan", "1.60e-4", ".nan", "gyro_noise_density_rad_s_sqrthz"},
         Edit{"Ranges", "max_range_m: 6.0", "max_range_m: 0.1", "more than min_range_m"},
         Edit{"Step", "step_deg: 0.9", "step_deg: 0", "step_deg is 0"},
+        Edit{"Beam", "beam_width_deg: 1.4", "beam_width_deg: -1.4", "sonar.beam_width_deg"},
+        Edit{"Bins", "bins: 255", "bins: 25.5", "sonar.bins"},
+        Edit{"Incidence", "incidence_exponent: 2", "incidence_exponent: 0", "from 1 to 20"},
+        Edit{"Dropouts", "dropout_probability: 0.01", "dropout_probability: 1.1", "from 0 to 1"},
         Edit{"Quoted", "noise_m: 0.002", "noise_m: '0.002'", "depth.noise_m"}),
     [](const auto& test) { return test.param.name; });
 
@@ -94,6 +98,20 @@ TEST(Rig, SonarAndDepthMayBeMissing) {
   const Rig rig = ReadRig(ParseYaml(text, "small.yaml"));
   EXPECT_FALSE(rig.HasSonar());
   EXPECT_FALSE(rig.HasDepth());
+}
+
+// A rig from before the sonar had an echo: one exact ray with white noise.
+TEST(Rig, TheSonarsEchoMayBeMissing) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto first = text.find("  beam_width_deg");
+  text.erase(first, text.find("\n# Bluerobotics") - first);
+  const SonarSheet sonar = ReadRig(ParseYaml(text, "plain.yaml")).sonar;
+  EXPECT_EQ(sonar.range_noise_m, 0.01);
+  EXPECT_EQ(sonar.bins, 0);
+  EXPECT_EQ(sonar.beam_width_rad, 0.0);
+  EXPECT_EQ(sonar.speckle_looks, 0);
+  EXPECT_EQ(sonar.dropout_probability, 0.0);
+  EXPECT_EQ(sonar.incidence_exponent, 2.0);
 }
 
 TEST(Rig, OneAndThreeCamerasAreRefused) {
