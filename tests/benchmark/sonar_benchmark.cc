@@ -50,7 +50,7 @@ void SonarPings(::benchmark::State& state) {
   sim::SonarEffects effects;
   effects.profiles = state.range(0) != 0;
   sim::Sonar sonar(dive.motion, dive.world, rays, dive.rig.sonar, true, effects, 1);
-  for (auto _ : state) ::benchmark::DoNotOptimize(sonar.Observe());
+  while (state.KeepRunning()) ::benchmark::DoNotOptimize(sonar.Observe());
   state.SetItemsProcessed(state.iterations());
   state.counters["time_a_simulated_s"] =
       ::benchmark::Counter(static_cast<double>(state.iterations()) / dive.rig.sonar.rate_hz,

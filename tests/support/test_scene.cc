@@ -77,9 +77,11 @@ std::string DrumMesh(const std::string& name, double radius, double half_height)
 }
 
 std::string MeshElement(const std::string& name, const Eigen::Vector3d& position) {
+  // Nothing collides with it: MuJoCo need not look for its convex hull, which takes seconds.
   return fmt::format(
-      R"(<body name="{}" pos="{} {} {}"><geom type="mesh" mesh="{}" rgba="1 1 1 1"/></body>)", name,
-      position.x(), position.y(), position.z(), name);
+      "<body name=\"{}\" pos=\"{} {} {}\"><geom type=\"mesh\" mesh=\"{}\" contype=\"0\" "
+      "conaffinity=\"0\"/></body>",
+      name, position.x(), position.y(), position.z(), name);
 }
 
 std::string BoxElement(const std::string& name, const Eigen::Vector3d& centre,

@@ -57,6 +57,7 @@ class SonarBench {
         Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {0.0, 0.0, 0.0}));
     Sonar sonar(motion, world_, rays_, sheet, true, effects, seed);
     std::vector<SonarPing> pings;
+    pings.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
       pings.push_back(std::get<SonarPing>(sonar.Observe().measurement.reading));
     }
@@ -82,6 +83,7 @@ inline std::string WallAt(double distance) {
 /// Energy of each bin from a profile of bytes: good to 1/255 of amplitude.
 inline std::vector<double> Energies(const SonarPing& ping) {
   std::vector<double> energies;
+  energies.reserve(ping.profile.size());
   for (const std::uint8_t level : ping.profile) energies.push_back(level * level / (255.0 * 255.0));
   return energies;
 }

@@ -49,7 +49,7 @@ TEST(RayScene, AFanHitsWhatItsRaysHitAlone) {
   constexpr int kRays = 203;  // Of no packet's width.
   RayFan fan(3, kRays);
   for (int i = 0; i < kRays; ++i) {
-    const float angle = 0.003F * static_cast<float>(i - kRays / 2);
+    const float angle = 0.003F * static_cast<float>(i - 101);
     fan.col(i) << std::cos(angle), std::sin(angle) * 0.6F, std::sin(angle) * 0.8F;
   }
   const Eigen::Vector3d origin(0.3, 0.1, 0.05);
