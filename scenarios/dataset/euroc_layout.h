@@ -8,6 +8,7 @@
 //   mav0/sonar0/              sensor.yaml, data.csv: what the profiling sonar said
 //   mav0/pressure0/           sensor.yaml, data.csv: depth by pressure (other tools take the name
 //                             depth0 for depth images)
+//   mav0/sonar0_profile/      data.csv: the echo of each ping by range bin, where it was kept
 //   mav0/sonar0_groundtruth/  data.csv: true range of each ping and what it hit
 //   mav0/depth_image0/, 1/    data.csv, data/<ns>.png: 16-bit millimetres along the camera's z
 //   axis,
@@ -32,6 +33,7 @@ inline constexpr std::array<const char*, 2> kCameraFolders = {"cam0", "cam1"};
 inline constexpr std::array<const char*, 2> kDepthImageFolders = {"depth_image0", "depth_image1"};
 inline constexpr const char* kImuFolder = "imu0";
 inline constexpr const char* kSonarFolder = "sonar0";
+inline constexpr const char* kSonarProfileFolder = "sonar0_profile";
 inline constexpr const char* kSonarTruthFolder = "sonar0_groundtruth";
 inline constexpr const char* kPressureFolder = "pressure0";
 inline constexpr const char* kTruthFolder = "state_groundtruth_estimate0";
@@ -41,7 +43,9 @@ inline constexpr const char* kImuHeader =
     "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
     "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]";
 inline constexpr const char* kSonarHeader =
-    "#timestamp [ns],range [m],head_position [rad],intensity []";
+    "#timestamp [ns],range [m],head_position [rad],intensity [],first_range [m]";
+inline constexpr const char* kSonarProfileHeader =
+    "#timestamp [ns],amplitude in each bin from the head outwards [0 to 255]";
 inline constexpr const char* kSonarTruthHeader = "#timestamp [ns],range [m],hit []";
 inline constexpr const char* kPressureHeader = "#timestamp [ns],depth [m]";
 inline constexpr const char* kTruthHeader =

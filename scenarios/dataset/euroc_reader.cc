@@ -115,16 +115,40 @@ void EurocReader::ReadFrames(const Warn& warn) {
 }
 
 void EurocReader::ReadSonar() {
-  ForEachRow(mav0_ / kSonarFolder / kDataFile, {"timestamp", "range", "head_position", "intensity"},
-             [&](CsvReader& csv) {
-               const Time t = csv.IncreasingStamp(0);
-               SonarPing ping;
-               ping.range = csv.Real(1);
-               ping.head_angle = csv.Real(2);
-               ping.intensity = csv.Real(3);
-               if (ping.range < 0.0) csv.Fail(1, "at least 0");
-               entries_.push_back({t, t, ping});
-             });
+  constexpr std::size_t kFirstRange = 4;  // Recordings of others may lack it.
+  const auto read = [&](CsvReader& csv) {
+    const Time t = csv.IncreasingStamp(0);
+    SonarPing ping;
+    ping.range = csv.Real(1);
+    ping.head_angle = csv.Real(2);
+    ping.intensity = csv.Real(3);
+    ping.first_range = csv.size() > kFirstRange ? csv.Real(kFirstRange) : ping.range;
+    if (ping.range < 0.0) csv.Fail(1, "at least 0");
+    if (ping.first_range < 0.0) csv.Fail(kFirstRange, "at least 0");
+    entries_.push_back({t, t, std::move(ping)});
+  };
+  ForEachRow(mav0_ / kSonarFolder / kDataFile,
+             {"timestamp", "range", "head_position", "intensity", "first_range"}, read,
+             kFirstRange);
+  if (fs::exists(mav0_ / kSonarProfileFolder)) ReadSonarProfiles();
+}
+
+void EurocReader::ReadSonarProfiles() {
+  std::map<Time, SonarPing*> pings;
+  for (Entry& entry : entries_) {
+    if (auto* ping = std::get_if<SonarPing>(&entry.reading)) pings[entry.t] = ping;
+  }
+  std::vector<std::string> columns = {"timestamp"};
+  for (int bin = 0; bin < rig_.sonar.bins; ++bin) columns.push_back(fmt::format("bin {}", bin));
+  ForEachRow(mav0_ / kSonarProfileFolder / kDataFile, columns, [&](CsvReader& csv) {
+    const auto ping = pings.find(csv.IncreasingStamp(0));
+    if (ping == pings.end()) csv.Fail(0, "the time of a ping of sonar0/data.csv");
+    for (std::size_t column = 1; column < csv.size(); ++column) {
+      const std::int64_t amplitude = csv.Integer(column);
+      if (amplitude < 0 || amplitude > 255) csv.Fail(column, "from 0 to 255");
+      ping->second->profile.push_back(static_cast<std::uint8_t>(amplitude));
+    }
+  });
 }
 
 void EurocReader::ReadDepth() {

@@ -53,6 +53,8 @@ class EurocReader {
   void ReadImu();
   void ReadFrames(const Warn& warn);
   void ReadSonar();
+  /// Puts the profiles into the pings of entries_.
+  void ReadSonarProfiles();
   void ReadDepth();
   void OrderByTime();
   void OrderByArrival(const std::filesystem::path& path);

@@ -137,6 +137,9 @@ void ReadSonar(const fs::path& mav0, const Warn& warn, SonarSheet& sonar) {
     if (sonar.max_range_m <= sonar.min_range_m) yaml.Fail("max_range", "more than min_range");
     sonar.range_noise_m = yaml.Real("range_resolution", kNoise);
     sonar.step_rad = yaml.Real("head_step", {1e-4, 3.2}, kHeadStep);
+    sonar.beam_width_rad = yaml.Real("beam_width", {0.0, 0.8}, 0.0);
+    sonar.bins = static_cast<int>(yaml.Integer("bins", {0, 4096}, 0));
+    sonar.intensity_floor = yaml.Real("intensity_floor", {0.0, 1.0}, 0.0);
   });
 }
 
@@ -203,7 +206,8 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
   const SonarSheet& sonar = rig.sonar;
   Numbers pings{
       kSonarFolder,
-      {sonar.rate_hz, sonar.step_rad, sonar.min_range_m, sonar.max_range_m, sonar.range_noise_m}};
+      {sonar.rate_hz, sonar.step_rad, sonar.min_range_m, sonar.max_range_m, sonar.range_noise_m,
+       sonar.beam_width_rad, static_cast<double>(sonar.bins), sonar.intensity_floor}};
   Append(pings.values, sonar.T_IS);
   all.push_back(std::move(pings));
   const DepthSheet& depth = rig.depth;

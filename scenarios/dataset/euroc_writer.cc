@@ -108,7 +108,11 @@ void EurocWriter::AddReading(Time t, const StereoFrame& frame) {
 
 void EurocWriter::AddReading(Time t, const SonarPing& ping) {
   tables_[kSonarFolder].emplace_back(
-      t, fmt::format("{},{},{}", ping.range, ping.head_angle, ping.intensity));
+      t, fmt::format("{},{},{},{}", ping.range, ping.head_angle, ping.intensity, ping.first_range));
+  if (ping.profile.empty()) return;
+  Check(std::ssize(ping.profile) == rig_.sonar.bins,
+        "an echo profile of {} bins from a sonar of {}", ping.profile.size(), rig_.sonar.bins);
+  tables_[kSonarProfileFolder].emplace_back(t, fmt::format("{}", fmt::join(ping.profile, ",")));
 }
 
 void EurocWriter::AddReading(Time t, const DepthSample& sample) {
@@ -158,6 +162,7 @@ void EurocWriter::Commit(AtomicDirectory::IfExists if_exists) {
   }
   WriteTable(kImuFolder, kImuHeader, FormatImuYaml(rig_));
   WriteTable(kSonarFolder, kSonarHeader, FormatSonarYaml(rig_));
+  WriteTable(kSonarProfileFolder, kSonarProfileHeader, "");
   WriteTable(kSonarTruthFolder, kSonarTruthHeader, "");
   WriteTable(kPressureFolder, kPressureHeader, FormatPressureYaml(rig_));
   WriteTable(kTruthFolder, kTruthHeader, FormatTruthYaml());

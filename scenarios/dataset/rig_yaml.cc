@@ -101,6 +101,22 @@ std::string FormatImu(const ImuSheet& imu) {
   return out;
 }
 
+std::string FormatEcho(const SonarSheet& sonar) {
+  std::string out;
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, "  beam_width_deg: {}\n", ToDegrees(sonar.beam_width_rad));
+  fmt::format_to(to, "  bins: {}\n", sonar.bins);
+  fmt::format_to(to, "  pulse_length_s: {}\n", sonar.pulse_length_s);
+  fmt::format_to(to, "  incidence_exponent: {}\n", sonar.incidence_exponent);
+  fmt::format_to(to, "  absorption_db_m: {}\n", sonar.absorption_db_m);
+  fmt::format_to(to, "  gain_absorption_db_m: {}\n", sonar.gain_absorption_db_m);
+  fmt::format_to(to, "  speckle_looks: {}\n", sonar.speckle_looks);
+  fmt::format_to(to, "  noise_floor: {}\n", sonar.noise_floor);
+  fmt::format_to(to, "  dropout_probability: {}\n", sonar.dropout_probability);
+  fmt::format_to(to, "  intensity_floor: {}\n", sonar.intensity_floor);
+  return out;
+}
+
 std::string FormatSonar(const SonarSheet& sonar) {
   std::string out = "sonar:\n";
   auto to = std::back_inserter(out);
@@ -111,7 +127,7 @@ std::string FormatSonar(const SonarSheet& sonar) {
   fmt::format_to(to, "  min_range_m: {}\n", sonar.min_range_m);
   fmt::format_to(to, "  max_range_m: {}\n", sonar.max_range_m);
   fmt::format_to(to, "  range_noise_m: {}\n", sonar.range_noise_m);
-  return out;
+  return out + FormatEcho(sonar);
 }
 
 std::string FormatDepth(const DepthSheet& depth) {

@@ -89,6 +89,10 @@ std::string FormatSonarYaml(const Rig& rig) {
   fmt::format_to(to, "range_resolution: {}  # standard deviation of a range [m]\n",
                  sonar.range_noise_m);
   fmt::format_to(to, "head_step: {}  # from ping to ping [rad]\n", sonar.step_rad);
+  fmt::format_to(to, "beam_width: {}  # full, where one way is 3 dB down [rad]\n",
+                 sonar.beam_width_rad);
+  fmt::format_to(to, "bins: {}  # up to max_range; 0 is no echo profile\n", sonar.bins);
+  fmt::format_to(to, "intensity_floor: {}  # weaker echoes do not count\n", sonar.intensity_floor);
   return out;
 }
 

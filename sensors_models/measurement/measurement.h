@@ -28,10 +28,15 @@ struct StereoFrame {
 };
 
 /// One ping of the rotating profiling sonar. The beam leaves along (cos, sin, 0)(head_angle) in S.
+/// Echoes count if they are stronger than the sheet's intensity_floor.
 struct SonarPing {
-  double head_angle = 0.0;  ///< [rad] in [0, 2 pi).
-  double range = 0.0;       ///< [m] of the strongest echo; 0 where there was none.
-  double intensity = 0.0;   ///< Of that echo, in [0, 1]; 0 where there was none.
+  double head_angle = 0.0;   ///< [rad] in [0, 2 pi).
+  double range = 0.0;        ///< [m] of the strongest echo; 0 where there was none.
+  double intensity = 0.0;    ///< Amplitude of that echo, in [0, 1]; 0 where there was none.
+  double first_range = 0.0;  ///< [m] of the nearest echo; 0 where there was none.
+  /// Amplitude in each of the sheet's bins, the nearest first; 255 is full scale. Often not kept:
+  /// then empty.
+  std::vector<std::uint8_t> profile;
 };
 
 /// Depth below the water's surface by pressure.

@@ -105,6 +105,24 @@ ImuSheet ReadImu(YamlReader& yaml) {
   return imu;
 }
 
+void ReadEcho(YamlReader& yaml, SonarSheet& sonar) {
+  const SonarSheet defaults;
+  sonar.beam_width_rad = yaml.Real("beam_width_deg", {0.0, 45.0}, 0.0) * std::numbers::pi / 180.0;
+  sonar.bins = static_cast<int>(yaml.Integer("bins", {0, 4096}, defaults.bins));
+  sonar.pulse_length_s = yaml.Real("pulse_length_s", {0.0, 1e-2}, defaults.pulse_length_s);
+  sonar.incidence_exponent =
+      yaml.Real("incidence_exponent", {1.0, 20.0}, defaults.incidence_exponent);
+  sonar.absorption_db_m = yaml.Real("absorption_db_m", {0.0, 100.0}, defaults.absorption_db_m);
+  sonar.gain_absorption_db_m =
+      yaml.Real("gain_absorption_db_m", {0.0, 100.0}, defaults.gain_absorption_db_m);
+  sonar.speckle_looks =
+      static_cast<int>(yaml.Integer("speckle_looks", {0, 64}, defaults.speckle_looks));
+  sonar.noise_floor = yaml.Real("noise_floor", {0.0, 1.0}, defaults.noise_floor);
+  sonar.dropout_probability =
+      yaml.Real("dropout_probability", {0.0, 1.0}, defaults.dropout_probability);
+  sonar.intensity_floor = yaml.Real("intensity_floor", {0.0, 1.0}, defaults.intensity_floor);
+}
+
 SonarSheet ReadSonar(YamlReader& yaml) {
   SonarSheet sonar;
   sonar.rate_hz = yaml.Real("rate_hz", kRate);
@@ -113,6 +131,7 @@ SonarSheet ReadSonar(YamlReader& yaml) {
   sonar.min_range_m = yaml.Real("min_range_m", {0.0, 1e3});
   sonar.max_range_m = yaml.Real("max_range_m", {0.01, 1e3});
   sonar.range_noise_m = yaml.Real("range_noise_m", kNoise);
+  ReadEcho(yaml, sonar);
   if (sonar.max_range_m <= sonar.min_range_m) yaml.Fail("max_range_m", "more than min_range_m");
   return sonar;
 }

@@ -64,13 +64,29 @@ struct ImuSheet {
 };
 
 /// A profiling sonar whose head turns by a fixed step each ping; it scans the x-y plane of S.
+///
+/// Everything below range_noise_m may be left out: the sonar is then a single exact ray with white
+/// noise. Amplitudes are shares of full scale, which is the echo of a face that throws back
+/// everything, met squarely by the whole beam within one bin, at the head. The receiver's gain
+/// grows with range so as to make up for the spreading of sound.
 struct SonarSheet {
   double rate_hz = 0.0;
   Pose T_IS;
   double step_rad = 0.0;  ///< Turn of the head from ping to ping.
   double min_range_m = 0.0;
   double max_range_m = 0.0;
-  double range_noise_m = 0.0;  ///< Standard deviation of white noise.
+  double range_noise_m = 0.0;  ///< Standard deviation of white noise, without the bins' rounding.
+
+  double beam_width_rad = 0.0;      ///< Of the cone, full, where one way is 3 dB down; 0 is a ray.
+  int bins = 0;                     ///< Of equal length up to max_range_m; 0: no echo profile.
+  double pulse_length_s = 0.0;      ///< Spreads an echo over c/2 times this.
+  double incidence_exponent = 2.0;  ///< Of cos(incidence) in the backscatter of a unit of area.
+  double absorption_db_m = 0.0;     ///< By the water, one way.
+  double gain_absorption_db_m = 0.0;  ///< How much of it the gain makes up for, one way.
+  int speckle_looks = 0;              ///< Independent echoes averaged in a bin; 0: no speckle.
+  double noise_floor = 0.0;           ///< RMS amplitude of the noise at max_range_m.
+  double dropout_probability = 0.0;   ///< Of losing a whole ping.
+  double intensity_floor = 0.0;       ///< Amplitude that an echo must be above to count.
 };
 
 struct DepthSheet {

@@ -17,4 +17,15 @@ Eigen::Vector3d SonarPoint(double head_angle, double range) {
   return range * SonarBeam(head_angle);
 }
 
+double SonarBinLength(const SonarSheet& sheet) { return sheet.max_range_m / sheet.bins; }
+
+double SonarBinCentre(const SonarSheet& sheet, std::size_t bin) {
+  return (static_cast<double>(bin) + 0.5) * SonarBinLength(sheet);
+}
+
+double SonarRangeSigma(const SonarSheet& sheet) {
+  const double rounding = sheet.bins > 0 ? SonarBinLength(sheet) / std::sqrt(12.0) : 0.0;
+  return std::hypot(sheet.range_noise_m, rounding);
+}
+
 }  // namespace drydock

@@ -26,7 +26,8 @@ SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& ray
                                          water.surface_z_m, config.depth.noise, seed);
   });
   add(rig.HasSonar(), config.sonar, [&] {
-    return std::make_unique<Sonar>(motion, world, rays, rig.sonar, config.sonar.noise, seed);
+    return std::make_unique<Sonar>(motion, world, rays, rig.sonar, config.sonar.noise,
+                                   config.sonar_effects, seed);
   });
   add(true, config.stereo, [&] {
     auto camera =

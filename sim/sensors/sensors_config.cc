@@ -42,7 +42,8 @@ SensorsConfig ReadSensors(YamlReader& yaml) {
   SensorsConfig config;
   ReadNoisySensor(yaml, "imu", config.imu,
                   [&](YamlReader& imu) { ReadEffects(imu, config.imu_effects); });
-  ReadNoisySensor(yaml, "sonar", config.sonar, [](YamlReader&) {});
+  ReadNoisySensor(yaml, "sonar", config.sonar,
+                  [&](YamlReader& sonar) { config.sonar_effects = ReadSonarEffects(sonar); });
   ReadNoisySensor(yaml, "depth", config.depth,
                   [&](YamlReader& depth) { ReadEffects(depth, config.depth_effects); });
   yaml.OptionalMap("stereo", [&](YamlReader& stereo) {

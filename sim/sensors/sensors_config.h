@@ -6,6 +6,7 @@
 #include "sensors_models/noise/imu_noise.h"
 #include "sensors_models/noise/pressure_noise.h"
 #include "sim/optics/image_sensor.h"
+#include "sim/sensors/sonar_effects.h"
 
 namespace drydock::sim {
 
@@ -20,6 +21,7 @@ struct SensorsConfig {
   SensorSwitches imu;
   SensorSwitches stereo;
   SensorSwitches sonar;
+  SonarEffects sonar_effects;
   SensorSwitches depth;
   ImuEffects imu_effects;         ///< Of an IMU with noise; all on by default.
   PressureEffects depth_effects;  ///< Of a pressure sensor with noise; all on by default.

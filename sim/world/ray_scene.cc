@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -155,16 +156,18 @@ RayScene::~RayScene() = default;
 
 namespace {
 
-RTCRay MakeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double max_range) {
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(origin.x());
-  ray.org_y = static_cast<float>(origin.y());
-  ray.org_z = static_cast<float>(origin.z());
-  ray.dir_x = static_cast<float>(direction.x());
-  ray.dir_y = static_cast<float>(direction.y());
-  ray.dir_z = static_cast<float>(direction.z());
-  ray.tfar = static_cast<float>(max_range);
-  ray.mask = 0xFFFFFFFFU;
+RTCRayHit MakeRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                  float max_range) {
+  RTCRayHit ray{};
+  ray.ray.org_x = origin.x();
+  ray.ray.org_y = origin.y();
+  ray.ray.org_z = origin.z();
+  ray.ray.dir_x = direction.x();
+  ray.ray.dir_y = direction.y();
+  ray.ray.dir_z = direction.z();
+  ray.ray.tfar = max_range;
+  ray.ray.mask = 0xFFFFFFFFU;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   return ray;
 }
 
@@ -172,7 +175,8 @@ RTCRay MakeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, 
 
 bool RayScene::IsOccluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                           double max_range) const {
-  RTCRay ray = MakeRay(origin, direction, max_range);
+  RTCRay ray =
+      MakeRay(origin.cast<float>(), direction.cast<float>(), static_cast<float>(max_range)).ray;
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcOccluded1(embree_->scene, &context, &ray);
@@ -181,9 +185,8 @@ bool RayScene::IsOccluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& 
 
 std::optional<RayHit> RayScene::Cast(const Eigen::Vector3d& origin,
                                      const Eigen::Vector3d& direction, double max_range) const {
-  RTCRayHit ray{};
-  ray.ray = MakeRay(origin, direction, max_range);
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit ray =
+      MakeRay(origin.cast<float>(), direction.cast<float>(), static_cast<float>(max_range));
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(embree_->scene, &context, &ray);
@@ -192,6 +195,32 @@ std::optional<RayHit> RayScene::Cast(const Eigen::Vector3d& origin,
       Eigen::Vector3f(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z).cast<double>().normalized();
   if (normal.dot(direction) > 0) normal = -normal;
   return RayHit{ray.ray.tfar, normal, static_cast<int>(ray.hit.geomID)};
+}
+
+std::vector<FanHit> RayScene::CastFan(const Eigen::Vector3d& origin, const RayFan& directions,
+                                      double max_range) const {
+  std::vector<RTCRayHit> rays;
+  rays.reserve(static_cast<std::size_t>(directions.cols()));
+  const Eigen::Vector3f from = origin.cast<float>();
+  for (const auto direction : directions.colwise()) {
+    rays.push_back(MakeRay(from, direction, static_cast<float>(max_range)));
+  }
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  // Embree picks the packets that suit the processor; without the flag it casts one by one.
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect1M(embree_->scene, &context, rays.data(), static_cast<unsigned>(rays.size()),
+                 sizeof(RTCRayHit));
+  std::vector<FanHit> hits(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RTCRayHit& ray = rays[i];
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+    const Eigen::Vector3f normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+    const Eigen::Vector3f direction(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
+    const float cos_incidence = std::abs(normal.dot(direction)) / normal.norm();
+    hits[i] = {ray.ray.tfar, std::min(cos_incidence, 1.0F), static_cast<int>(ray.hit.geomID)};
+  }
+  return hits;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sim/world/world.h"
 
@@ -14,6 +15,16 @@ struct RayHit {
   Eigen::Vector3d normal =
       Eigen::Vector3d::Zero();  ///< Of the face hit, unit, towards the ray's origin, in W.
   int geom = -1;                ///< MuJoCo's geom id.
+};
+
+/// Directions of many rays, one a column: unit vectors, in W.
+using RayFan = Eigen::Matrix<float, 3, Eigen::Dynamic>;
+
+/// What one ray of a fan met.
+struct FanHit {
+  float range = 0.0F;          ///< Along the ray [m].
+  float cos_incidence = 0.0F;  ///< Of the angle between ray and normal; from 0 to 1.
+  int geom = -1;               ///< MuJoCo's geom id; -1 where the ray met nothing.
 };
 
 /// The triangles of every mesh, box and plane of a world, where they are at construction. Rays see
@@ -37,6 +48,11 @@ class RayScene {
 
   /// Around everything but planes [m, in W]; empty if there is nothing else.
   const Eigen::AlignedBox3d& Bounds() const { return bounds_; }
+
+  /// The same for many rays from one point that are close together, at a fraction of the time. One
+  /// hit a ray, in the order of the rays.
+  std::vector<FanHit> CastFan(const Eigen::Vector3d& origin, const RayFan& directions,
+                              double max_range) const;
 
   /// What is nearest to `point` [m, in W], if nearer than `max_distance` [m]. The hit's range is
   /// the distance and its normal points from the surface to the point.

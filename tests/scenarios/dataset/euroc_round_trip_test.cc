@@ -38,6 +38,8 @@ void ExpectSame(const SonarPing& a, const SonarPing& b) {
   EXPECT_EQ(a.head_angle, b.head_angle);
   EXPECT_EQ(a.range, b.range);
   EXPECT_EQ(a.intensity, b.intensity);
+  EXPECT_EQ(a.first_range, b.first_range);
+  EXPECT_EQ(a.profile, b.profile);
 }
 
 void ExpectSame(const DepthSample& a, const DepthSample& b) { EXPECT_EQ(a.depth, b.depth); }
@@ -182,6 +184,27 @@ TEST_F(EurocRoundTrip, SonarTruthAndDepthImages) {
   EXPECT_NO_THROW(EurocReader{target()});
 }
 
+TEST_F(EurocRoundTrip, ProfilesAreKeptOnlyWhereThereAreAny) {
+  const SonarPing bare{1.0, 2.0, 0.5, 1.5, {}};
+  Record({{Time{5}, Time{5}, bare}});
+  EXPECT_FALSE(fs::exists(mav0() / "sonar0_profile"));
+  SonarPing full = bare;
+  full.profile.assign(255, 0);
+  full.profile[0] = 7;
+  full.profile[254] = 255;
+  Record({{Time{5}, Time{5}, bare}, {Time{6}, Time{6}, full}});
+  EXPECT_THAT(ReadFile(mav0() / "sonar0_profile/data.csv"),
+              AllOf(HasSubstr("\n6,7,0,0,"), HasSubstr(",0,255\n")));
+}
+
+// Recordings of others, and ours of old, do not know the nearest echo.
+TEST_F(EurocRoundTrip, WithoutFirstRangeTheStrongestEchoIsTheFirst) {
+  Record({{Time{5}, Time{5}, SonarPing{1.0, 2.0, 0.5, 1.5, {}}}});
+  WriteFileAtomically(mav0() / "sonar0/data.csv", "5,2.0,1.0,0.5\n");
+  const EurocReader reader(target());
+  EXPECT_EQ(std::get<SonarPing>(reader.Read(0).reading).first_range, 2.0);
+}
+
 TEST_F(EurocRoundTrip, WithoutCommitThereIsNothing) {
   {
     EurocWriter writer(SmallRig(), target());
@@ -198,6 +221,9 @@ TEST_F(EurocRoundTrip, WriterRefusesWhatCannotBe) {
   wrong_size.images = {cv::Mat(10, 10, CV_8UC1, cv::Scalar(0)),
                        cv::Mat(10, 10, CV_8UC1, cv::Scalar(0))};
   EXPECT_THROW(writer.Add({Time{5}, Time{5}, wrong_size}), std::logic_error);
+  SonarPing short_profile;
+  short_profile.profile = {1, 2, 3};
+  EXPECT_THROW(writer.Add({Time{5}, Time{5}, short_profile}), std::logic_error);
   writer.Add({Time{6}, Time{6}, DepthSample{}});
   writer.Add({Time{6}, Time{7}, DepthSample{}});
   EXPECT_THROW(writer.Commit(), std::logic_error);

@@ -53,7 +53,10 @@ inline std::vector<Measurement> SmallDive(int image_type = CV_8UC1) {
   }
   for (int k = 0; k < 20; ++k) {
     const double range = k % 3 == 0 ? 0.0 : random.Uniform(0.1, 6.0);
-    add(SampleTime(start, k, 10), 0.01, SonarPing{random.Uniform(0.0, 6.28), range, 0.5});
+    SonarPing ping{random.Uniform(0.0, 6.28), range, 0.5, 0.5 * range, {}};
+    if (k % 5 != 0) ping.profile.resize(255);  // Some pings may lack it.
+    for (std::uint8_t& bin : ping.profile) bin = static_cast<std::uint8_t>(random.Bits());
+    add(SampleTime(start, k, 10), 0.01, std::move(ping));
   }
   for (int k = 0; k < 2; ++k) add(SampleTime(start, k, 1), 0.0, DepthSample{random.Gaussian()});
   std::stable_sort(dive.begin(), dive.end(), [](const Measurement& a, const Measurement& b) {

@@ -46,6 +46,16 @@ void ExpectSame(const Rig& a, const Rig& b) {
   EXPECT_EQ(a.sonar.min_range_m, b.sonar.min_range_m);
   EXPECT_EQ(a.sonar.max_range_m, b.sonar.max_range_m);
   EXPECT_EQ(a.sonar.range_noise_m, b.sonar.range_noise_m);
+  EXPECT_EQ(a.sonar.beam_width_rad, b.sonar.beam_width_rad);
+  EXPECT_EQ(a.sonar.bins, b.sonar.bins);
+  EXPECT_EQ(a.sonar.pulse_length_s, b.sonar.pulse_length_s);
+  EXPECT_EQ(a.sonar.incidence_exponent, b.sonar.incidence_exponent);
+  EXPECT_EQ(a.sonar.absorption_db_m, b.sonar.absorption_db_m);
+  EXPECT_EQ(a.sonar.gain_absorption_db_m, b.sonar.gain_absorption_db_m);
+  EXPECT_EQ(a.sonar.speckle_looks, b.sonar.speckle_looks);
+  EXPECT_EQ(a.sonar.noise_floor, b.sonar.noise_floor);
+  EXPECT_EQ(a.sonar.dropout_probability, b.sonar.dropout_probability);
+  EXPECT_EQ(a.sonar.intensity_floor, b.sonar.intensity_floor);
   EXPECT_EQ(a.depth.rate_hz, b.depth.rate_hz);
   EXPECT_EQ(a.depth.p_ID, b.depth.p_ID);
   EXPECT_EQ(a.depth.noise_m, b.depth.noise_m);
@@ -81,6 +91,8 @@ TEST(FormatRig, AlsoWhereItWasDisturbed) {
           &rig.depth.lag_s, &rig.depth.resolution_m}) {
       *value *= 1.0 + 0.1 * random.Uniform();
     }
+    rig.sonar.beam_width_rad = random.Uniform(0.1, 40.0) * M_PI / 180.0;
+    rig.sonar.absorption_db_m = random.Uniform(0.0, 3.0);
     ExpectSame(ReadBack(rig), rig);
   }
 }

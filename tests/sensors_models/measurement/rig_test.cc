@@ -132,6 +132,10 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"AccelSteps", "accel_resolution_m_s2: 9.8e-4", "accel_resolution_m_s2: 99",
              "at most accel_range_m_s2"},
         Edit{"Lag", "lag_s: 0.02", "lag_s: -0.02", "depth.lag_s"},
+        Edit{"Beam", "beam_width_deg: 1.4", "beam_width_deg: -1.4", "sonar.beam_width_deg"},
+        Edit{"Bins", "bins: 255", "bins: 25.5", "sonar.bins"},
+        Edit{"Incidence", "incidence_exponent: 2", "incidence_exponent: 0", "from 1 to 20"},
+        Edit{"Dropouts", "dropout_probability: 0.01", "dropout_probability: 1.1", "from 0 to 1"},
         Edit{"Quoted", "noise_m: 0.002", "noise_m: '0.002'", "depth.noise_m"}),
     [](const auto& test) { return test.param.name; });
 
@@ -141,6 +145,20 @@ TEST(Rig, SonarAndDepthMayBeMissing) {
   const Rig rig = ReadRig(ParseYaml(text, "small.yaml"));
   EXPECT_FALSE(rig.HasSonar());
   EXPECT_FALSE(rig.HasDepth());
+}
+
+// A rig from before the sonar had an echo: one exact ray with white noise.
+TEST(Rig, TheSonarsEchoMayBeMissing) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto first = text.find("  beam_width_deg");
+  text.erase(first, text.find("\n# Bluerobotics") - first);
+  const SonarSheet sonar = ReadRig(ParseYaml(text, "plain.yaml")).sonar;
+  EXPECT_EQ(sonar.range_noise_m, 0.01);
+  EXPECT_EQ(sonar.bins, 0);
+  EXPECT_EQ(sonar.beam_width_rad, 0.0);
+  EXPECT_EQ(sonar.speckle_looks, 0);
+  EXPECT_EQ(sonar.dropout_probability, 0.0);
+  EXPECT_EQ(sonar.incidence_exponent, 2.0);
 }
 
 TEST(Rig, OneAndThreeCamerasAreRefused) {

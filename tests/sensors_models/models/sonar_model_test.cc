@@ -20,6 +20,19 @@ TEST(SonarModel, PointsLieInTheScanPlane) {
   EXPECT_LT((SonarPoint(std::numbers::pi / 2.0, 3.0) - Eigen::Vector3d(0, 3, 0)).norm(), 1e-12);
 }
 
+TEST(SonarModel, BinsLieEndToEnd) {
+  SonarSheet sheet;
+  sheet.max_range_m = 6.0;
+  sheet.bins = 250;
+  sheet.range_noise_m = 0.01;
+  EXPECT_DOUBLE_EQ(SonarBinLength(sheet), 0.024);
+  EXPECT_DOUBLE_EQ(SonarBinCentre(sheet, 0), 0.012);
+  EXPECT_DOUBLE_EQ(SonarBinCentre(sheet, 249), 5.988);
+  EXPECT_NEAR(SonarRangeSigma(sheet), 0.01217, 1e-5);  // sqrt(0.01^2 + 0.024^2 / 12)
+  sheet.bins = 0;
+  EXPECT_DOUBLE_EQ(SonarRangeSigma(sheet), 0.01);
+}
+
 // The SVIn2 rig scans across the travel: S's plane is the body's y-z plane.
 TEST(SonarModel, TheRigScansAcrossTheTravel) {
   const Rig rig = LoadRig(FindRig("svin2_v3"));

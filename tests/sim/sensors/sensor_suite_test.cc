@@ -142,6 +142,9 @@ TEST_F(SensorSuiteTest, NoiseIsOffWhereItIsSwitchedOff) {
     if (const auto* depth = std::get_if<DepthSample>(&one[i].measurement.reading)) {
       EXPECT_EQ(depth->depth, std::get<DepthSample>(other[i].measurement.reading).depth);
     }
+    if (const auto* ping = std::get_if<SonarPing>(&one[i].measurement.reading)) {
+      EXPECT_EQ(ping->range, std::get<SonarTruth>(one[i].truth).range);
+    }
     if (const auto* imu = std::get_if<ImuSample>(&one[i].measurement.reading)) {
       EXPECT_EQ(imu->angular_rate, std::get<ImuSample>(other[i].measurement.reading).angular_rate);
     }

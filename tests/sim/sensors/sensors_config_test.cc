@@ -79,6 +79,38 @@ TEST(SensorsConfig, EachEffectHasAKeyOfItsOwn) {
   }
 }
 
+TEST(SensorsConfig, EffectsOfTheSonarAreRead) {
+  const SonarEffects all = Read("{}\n").sonar_effects;
+  EXPECT_TRUE(all.footprint && all.absorption && all.speckle && all.noise_floor);
+  EXPECT_TRUE(all.dropouts && all.white_noise && all.quantisation);
+  EXPECT_FALSE(all.profiles);
+  const SonarEffects some =
+      Read("sonar: {speckle: false, quantisation: false, profiles: true}\n").sonar_effects;
+  EXPECT_TRUE(some.footprint && some.absorption && some.noise_floor && some.profiles);
+  EXPECT_FALSE(some.speckle || some.quantisation);
+  EXPECT_THROW(Read("sonar: {footprints: false}\n"), InputError);
+}
+
+TEST(SensorsConfig, EffectsThatAreOffAreZeroInTheSheet) {
+  SonarSheet sheet;
+  sheet.beam_width_rad = sheet.absorption_db_m = sheet.gain_absorption_db_m = 1.0;
+  sheet.noise_floor = sheet.dropout_probability = sheet.range_noise_m = 1.0;
+  sheet.speckle_looks = 1;
+  const auto without = [&](bool SonarEffects::*effect) {
+    SonarEffects effects;
+    effects.*effect = false;
+    return WithEffects(sheet, effects);
+  };
+  EXPECT_EQ(without(&SonarEffects::footprint).beam_width_rad, 0.0);
+  EXPECT_EQ(without(&SonarEffects::footprint).absorption_db_m, 1.0);
+  EXPECT_EQ(without(&SonarEffects::absorption).absorption_db_m, 0.0);
+  EXPECT_EQ(without(&SonarEffects::absorption).gain_absorption_db_m, 0.0);
+  EXPECT_EQ(without(&SonarEffects::speckle).speckle_looks, 0);
+  EXPECT_EQ(without(&SonarEffects::noise_floor).noise_floor, 0.0);
+  EXPECT_EQ(without(&SonarEffects::dropouts).dropout_probability, 0.0);
+  EXPECT_EQ(without(&SonarEffects::white_noise).range_noise_m, 0.0);
+}
+
 TEST(SensorsConfig, UnknownKeysAreRefused) {
   EXPECT_THROW(Read("lidar: {}\n"), InputError);
   EXPECT_THROW(Read("imu: {nose: false}\n"), InputError);

@@ -32,13 +32,15 @@ TEST(Sonar, RangesOfAWallAreExact) {
   const World world(testing::WriteScene(folder.path(), Wall()));
   const RayScene rays(world);
   const StillMotion motion(Pose(Eigen::Quaterniond::Identity(), {1.0, 0.5, -0.3}));
-  Sonar sonar(motion, world, rays, Sheet(), false, 1);
+  Sonar sonar(motion, world, rays, Sheet(), false, {}, 1);
   int hits = 0;
   for (int k = 0; k < 360; ++k) {
     const Observation observation = sonar.Observe();
     const auto& ping = std::get<SonarPing>(observation.measurement.reading);
     const auto& truth = std::get<SonarTruth>(observation.truth);
     EXPECT_EQ(ping.range, truth.range);
+    EXPECT_EQ(ping.first_range, truth.range);
+    EXPECT_TRUE(ping.profile.empty());
     const double toward = std::cos(ping.head_angle);  // The beam's share along y.
     const double expected = toward > 0.0 ? 1.5 / toward : 1e9;
     if (expected > 6.0) {
@@ -59,7 +61,7 @@ TEST(Sonar, NoiseHasItsSize) {
   const World world(testing::WriteScene(folder.path(), Wall()));
   const RayScene rays(world);
   const StillMotion motion(Pose::Identity());
-  Sonar sonar(motion, world, rays, Sheet(), true, 1);
+  Sonar sonar(motion, world, rays, Sheet(), true, {}, 1);
   double squares = 0.0;
   int count = 0;
   for (int k = 0; k < 20'000; ++k) {

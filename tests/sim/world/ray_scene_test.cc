@@ -1,5 +1,6 @@
 #include "sim/world/ray_scene.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,37 @@ TEST(RayScene, NormalsFaceTheRay) {
   // From inside the box its walls are seen as well.
   EXPECT_LT((rays.Cast({3, 0.2, 0}, {1, 0, 0}, 10.0)->normal - Eigen::Vector3d(-1, 0, 0)).norm(),
             1e-6);
+}
+
+TEST(RayScene, AFanHitsWhatItsRaysHitAlone) {
+  const TemporaryFolder folder;
+  const World world(WriteScene(folder.path(), BoxElement("box", {3, 0, 0}, {0.5, 0.4, 0.3}, 20.0) +
+                                                  BoxElement("wall", {5, 0, 0}, {0.5, 1, 1})));
+  const RayScene rays(world);
+  constexpr int kRays = 203;  // Of no packet's width.
+  RayFan fan(3, kRays);
+  for (int i = 0; i < kRays; ++i) {
+    const float angle = 0.003F * static_cast<float>(i - 101);
+    fan.col(i) << std::cos(angle), std::sin(angle) * 0.6F, std::sin(angle) * 0.8F;
+  }
+  const Eigen::Vector3d origin(0.3, 0.1, 0.05);
+  const std::vector<FanHit> hits = rays.CastFan(origin, fan, 4.45);
+  ASSERT_EQ(hits.size(), 203U);
+  int count = 0;
+  for (int i = 0; i < kRays; ++i) {
+    const Eigen::Vector3d direction = fan.col(i).cast<double>();
+    const auto alone = rays.Cast(origin, direction, 4.45);
+    const FanHit& hit = hits[static_cast<std::size_t>(i)];
+    ASSERT_EQ(hit.geom, alone ? alone->geom : -1) << i;
+    if (!alone) continue;
+    EXPECT_NEAR(hit.range, alone->range, 1e-5);
+    EXPECT_NEAR(hit.cos_incidence, -alone->normal.dot(direction), 1e-5);
+    ++count;
+  }
+  // Some rays pass the box and meet the wall, some pass both.
+  EXPECT_GT(count, 100);
+  EXPECT_LT(count, kRays);
+  EXPECT_TRUE(rays.CastFan(origin, RayFan(3, 0), 4.45).empty());
 }
 
 TEST(RayScene, NearestPoint) {
