@@ -23,8 +23,8 @@ Dive::Dive(const Scenario& scenario, sim::RendererBackend backend)
       end_(EndOf(scenario, motion_)),
       world_(scenes::PrepareScene(scenario.scene.name, scenario.scene.seed, CacheDirectory())),
       rays_(world_),
-      suite_(motion_, world_, rays_, rig_, scenario.sensors, scenario.water, backend,
-             scenario.seed) {
+      suite_(motion_, world_, rays_, rig_, scenario.sensors, scenario.water, backend, scenario.seed,
+             end_) {
   sim::RequireClearPath(motion_, world_, rays_, scenario.motion.clearance_m);
 }
 

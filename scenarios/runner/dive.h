@@ -21,7 +21,7 @@ class Dive {
   Dive(const Scenario& scenario, sim::RendererBackend backend);
 
   /// The next observation to arrive; nothing at the end of the dive.
-  std::optional<sim::Observation> Next() { return suite_.Next(end_); }
+  std::optional<sim::Observation> Next() { return suite_.Next(); }
 
   Time End() const { return end_; }
   const sim::Motion& motion() const { return motion_; }

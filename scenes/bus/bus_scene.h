@@ -9,7 +9,7 @@
 namespace drydock::scenes::bus {
 
 /// A new version makes new files: count up whenever geometry or pictures change.
-inline constexpr int kBusVersion = 2;
+inline constexpr int kBusVersion = 3;
 
 /// All parts, in the world.
 SceneModel BuildBusModel(std::uint64_t seed);

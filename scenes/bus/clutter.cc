@@ -51,10 +51,19 @@ class Placer {
 
   double BedHeight(double x, double y) const { return bed_.Height(x, y); }
 
+  /// Drops what lies well below the bed and is never seen. (The bed's triangles stay within the
+  /// margin of its true height.)
+  void DropBuried(Mesh& mesh) const {
+    mesh.Erase([this](const Vector3d& p) { return p.z() < bed_.Height(p.x(), p.y()) - 0.04; });
+  }
+
   void Put(const std::string& name, Object object, const Pose& pose) {
     PlaceObject(object, {pose.x, pose.y, bed_.Height(pose.x, pose.y) - pose.sunk}, pose.yaw,
                 pose.tip_x, pose.tip_y);
-    for (auto& [material, mesh] : object) model_.Add(name, material, std::move(mesh));
+    for (auto& [material, mesh] : object) {
+      DropBuried(mesh);
+      model_.Add(name, material, std::move(mesh));
+    }
     taken_.emplace_back(pose.x, pose.y, pose.radius);
   }
 
@@ -255,6 +264,7 @@ void ScatterPebbles(SceneModel& model, const Placer& placer, RandomStream& rando
       PlaceObject(pebble, {x, y, placer.BedHeight(x, y) - 0.1 * size}, random.Uniform(0, kTurn));
       pebbles.Append(pebble.front().second);
     }
+    placer.DropBuried(pebbles);
     model.Add(fmt::format("pebbles_{:02}", patch), "stone", std::move(pebbles));
   }
 }

@@ -62,6 +62,23 @@ void Mesh::ComputeSmoothNormals() {
   for (Vector3d& n : normals) n = n.squaredNorm() > 0 ? n.normalized() : Vector3d::UnitZ();
 }
 
+void Mesh::Erase(const std::function<bool(const Vector3d&)>& unwanted) {
+  std::vector<bool> drop;
+  drop.reserve(positions.size());
+  for (const Vector3d& p : positions) drop.push_back(unwanted(p));
+  Mesh kept;
+  std::vector<int> place(positions.size(), -1);
+  for (std::array<int, 3> t : triangles) {
+    if (drop[t[0]] && drop[t[1]] && drop[t[2]]) continue;
+    for (int& i : t) {
+      if (place[i] < 0) place[i] = kept.AddVertex(positions[i], normals[i], uvs[i]);
+      i = place[i];
+    }
+    kept.triangles.push_back(t);
+  }
+  *this = std::move(kept);
+}
+
 void Mesh::MirrorY() {
   for (Vector3d& p : positions) p.y() = -p.y();
   for (Vector3d& n : normals) n.y() = -n.y();

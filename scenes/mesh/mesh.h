@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace drydock::scenes {
@@ -30,6 +31,8 @@ struct Mesh {
   void AddBackFaces();
   /// Normals from the triangles around each vertex, weighted by their area.
   void ComputeSmoothNormals();
+  /// Drops the triangles of which all corners are `unwanted`, and the vertices that none needs.
+  void Erase(const std::function<bool(const Eigen::Vector3d& position)>& unwanted);
   /// Mirrors y and keeps the outside out.
   void MirrorY();
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/optics/jerlov.h"
@@ -40,6 +41,13 @@ Eigen::Array3d DiffuseAttenuation(const WaterConfig& water) {
 Eigen::Array3d DaylightAt(const WaterConfig& water, double z_m) {
   const double depth = std::max(0.0, water.surface_z_m - z_m);
   return water.daylight * (-DiffuseAttenuation(water) * depth).exp();
+}
+
+double FarthestLight(const WaterConfig& water) {
+  // Upwards light fades more slowly, see UnderwaterOptics.
+  const Eigen::Array3d c = BeamAttenuation(water);
+  const double slowest = (c - DiffuseAttenuation(water)).max(0.3 * c).minCoeff();
+  return slowest > 0.0 ? std::log(4000.0) / slowest : std::numeric_limits<double>::infinity();
 }
 
 Eigen::Vector3d DirectionToSun(const WaterConfig& water) {

@@ -45,6 +45,10 @@ Eigen::Array3d DiffuseAttenuation(const WaterConfig& water);
 /// Daylight at `z_m` [m, in W] per channel, as a share of full sun at the surface.
 Eigen::Array3d DaylightAt(const WaterConfig& water, double z_m);
 
+/// How far light from a surface is seen at all: beyond this range less than 1/4000 of it arrives in
+/// any channel [m]; infinite in perfectly clear water.
+double FarthestLight(const WaterConfig& water);
+
 /// Unit vector towards the sun, in W.
 Eigen::Vector3d DirectionToSun(const WaterConfig& water);
 

@@ -51,12 +51,15 @@ std::unique_ptr<GlContext> CreateGlContext(RendererBackend backend) {
   return context;
 }
 
+void* FindGlFunction(const char* name) {
+  const auto lookup = internal::chosen_lookup.load();
+  return lookup == nullptr ? nullptr : reinterpret_cast<void*>(lookup(name));
+}
+
 std::string GlRendererName() {
   using GetString = const unsigned char*(unsigned);
   constexpr unsigned kRenderer = 0x1F01, kVersion = 0x1F02;
-  const auto lookup = internal::chosen_lookup.load();
-  auto* get_string =
-      lookup == nullptr ? nullptr : reinterpret_cast<GetString*>(lookup("glGetString"));
+  auto* get_string = reinterpret_cast<GetString*>(FindGlFunction("glGetString"));
   if (get_string == nullptr) return "unknown";
   const auto text = [&](unsigned what) {
     const unsigned char* value = get_string(what);

@@ -33,6 +33,9 @@ class GlContext {
 /// InputError, with what was tried and how each failed, if no context can be had.
 std::unique_ptr<GlContext> CreateGlContext(RendererBackend backend);
 
+/// OpenGL's function of this name in the current context's library; nullptr if it has none.
+void* FindGlFunction(const char* name);
+
 /// The renderer and driver behind the current context, in OpenGL's words.
 std::string GlRendererName();
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "sensors_models/base/check.h"
+#include "sim/render/frustum.h"
 #include "sim/world/mujoco_errors.h"
 
 namespace drydock::sim {
@@ -32,8 +35,27 @@ void DrawGeometryOnly(mjvScene& scene) {
   scene.stereo = mjSTEREO_NONE;
 }
 
+/// Looks every pixel up in the one mipmap level that fits best instead of between two, as MuJoCo
+/// asks for. On a software renderer that is a fifth of all its time; the pictures change by half a
+/// grey level.
+void UseOneMipmapLevel(const mjrContext& context) {
+  using BindTexture = void(unsigned target, unsigned texture);
+  using SetParameter = void(unsigned target, unsigned parameter, int value);
+  constexpr unsigned kTexture2d = 0x0DE1, kMinFilter = 0x2801;
+  constexpr int kLinearMipmapNearest = 0x2701;
+  auto* bind = reinterpret_cast<BindTexture*>(FindGlFunction("glBindTexture"));
+  auto* set = reinterpret_cast<SetParameter*>(FindGlFunction("glTexParameteri"));
+  Check(bind != nullptr && set != nullptr, "OpenGL lacks textures");
+  for (int i = 0; i < context.ntexture; ++i) {
+    if (context.textureType[i] != mjTEXTURE_2D) continue;
+    bind(kTexture2d, context.texture[i]);
+    set(kTexture2d, kMinFilter, kLinearMipmapNearest);
+  }
+  bind(kTexture2d, 0);
+}
+
 /// The pinhole's frustum: its edges lie half a pixel outside the outermost pixel centres.
-mjvGLCamera ToGlCamera(const Pose& T_WC, const Pinhole& pinhole) {
+mjvGLCamera ToGlCamera(const Pose& T_WC, const Pinhole& pinhole, double far) {
   const Eigen::Matrix3d R = T_WC.R();
   const auto per_pixel = Renderer::kNear / pinhole.focal;
   mjvGLCamera camera{};
@@ -43,7 +65,7 @@ mjvGLCamera ToGlCamera(const Pose& T_WC, const Pinhole& pinhole) {
     camera.up[i] = static_cast<float>(-R(i, 1));
   }
   camera.frustum_near = static_cast<float>(Renderer::kNear);
-  camera.frustum_far = static_cast<float>(Renderer::kFar);
+  camera.frustum_far = static_cast<float>(far);
   camera.frustum_top = static_cast<float>((pinhole.cy + 0.5) * per_pixel);
   camera.frustum_bottom = static_cast<float>((pinhole.cy + 0.5 - pinhole.height) * per_pixel);
   camera.frustum_center = static_cast<float>((0.5 * (pinhole.width - 1) - pinhole.cx) * per_pixel);
@@ -51,20 +73,22 @@ mjvGLCamera ToGlCamera(const Pose& T_WC, const Pinhole& pinhole) {
   return camera;
 }
 
-/// Whether a sphere can be seen by the pinhole.
-bool IsInView(const Eigen::Vector3d& centre_C, double radius, const Pinhole& pinhole) {
-  if (centre_C.z() + radius < Renderer::kNear || centre_C.z() - radius > Renderer::kFar)
-    return false;
-  // Signed distances to the four side planes through the camera's centre.
-  const auto outside = [&](double edge, double x) {
-    const double slope = edge / pinhole.focal;  // Plane x = slope * z.
-    return (x - slope * centre_C.z()) / std::sqrt(1.0 + slope * slope) * (edge > 0 ? 1.0 : -1.0) >
-           radius;
-  };
-  return !outside(-pinhole.cx - 0.5, centre_C.x()) &&
-         !outside(pinhole.width - 0.5 - pinhole.cx, centre_C.x()) &&
-         !outside(-pinhole.cy - 0.5, centre_C.y()) &&
-         !outside(pinhole.height - 0.5 - pinhole.cy, centre_C.y());
+/// Something that can be drawn.
+struct Drawable {
+  mjvGeom geom;
+  std::optional<BoxCorners> box;  ///< Around it; none if it has no end.
+};
+
+/// The box around what `geom` draws.
+std::optional<BoxCorners> BoxOf(const mjvGeom& geom, const mjModel& model, const mjData& data) {
+  if (geom.objtype != mjOBJ_GEOM || geom.objid < 0) return std::nullopt;
+  if (model.geom_rbound[geom.objid] <= 0) return std::nullopt;  // An infinite plane.
+  using Matrix = Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>;
+  const Eigen::Map<const Eigen::Vector3d> position(data.geom_xpos + 3 * geom.objid);
+  const Eigen::Map<const Matrix> R(data.geom_xmat + 9 * geom.objid);
+  const Eigen::Map<const Eigen::Vector3d> centre(model.geom_aabb + 6 * geom.objid);
+  const Eigen::Map<const Eigen::Vector3d> half_sizes(model.geom_aabb + 6 * geom.objid + 3);
+  return CornersOfBox(position + R * centre, R, half_sizes);
 }
 
 }  // namespace
@@ -73,8 +97,9 @@ struct Renderer::Mujoco {
   World& world;
   mjvScene scene{};
   mjrContext context{};
-  std::vector<mjvGeom> geoms;           ///< Everything that can be drawn.
-  std::vector<Eigen::Vector4d> bounds;  ///< Of each: centre (m, in W) and radius.
+  double far = kFar;
+  std::vector<Drawable> drawables;
+  std::vector<std::pair<double, std::size_t>> seen;  ///< Depth and index of each drawable in view.
   std::vector<float> reversed_depth;
   std::vector<unsigned char> rgb;
 
@@ -89,6 +114,7 @@ struct Renderer::Mujoco {
     mjv_makeScene(&model, &scene, model.ngeom + 100);
     mjr_defaultContext(&context);
     mjr_makeContext(&model, &context, mjFONTSCALE_100);
+    UseOneMipmapLevel(context);
     mjr_setBuffer(mjFB_OFFSCREEN, &context);
     context.readDepthMap = mjDEPTH_ZEROFAR;
     CollectGeoms(model);
@@ -107,24 +133,24 @@ struct Renderer::Mujoco {
     mjv_defaultCamera(&camera);
     mjv_updateScene(&model, &world.data(), &option, nullptr, &camera, mjCAT_ALL, &scene);
     DrawGeometryOnly(scene);
-    geoms.assign(scene.geoms, scene.geoms + scene.ngeom);
-    for (const mjvGeom& geom : geoms) {
-      const bool is_geom = geom.objtype == mjOBJ_GEOM && geom.objid >= 0;
-      const double radius = is_geom ? model.geom_rbound[geom.objid] : 0.0;
-      const Eigen::Vector3d centre(geom.pos[0], geom.pos[1], geom.pos[2]);
-      // A plane's radius is given as 0: it has no end and is always drawn.
-      bounds.emplace_back(centre.x(), centre.y(), centre.z(),
-                          radius > 0 ? radius : std::numeric_limits<double>::infinity());
+    for (int i = 0; i < scene.ngeom; ++i) {
+      drawables.push_back({scene.geoms[i], BoxOf(scene.geoms[i], model, world.data())});
     }
   }
 
+  /// Fills the scene with what is seen. What ends nearest comes first, so that most of what it
+  /// hides fails the depth test before its texture is looked up; the ground, which reaches far,
+  /// comes late.
   void KeepWhatIsSeen(const Pose& T_WC, const Pinhole& pinhole) {
-    const Pose T_CW = T_WC.Inverse();
-    scene.ngeom = 0;
-    for (std::size_t i = 0; i < geoms.size(); ++i) {
-      if (!IsInView(T_CW * Eigen::Vector3d(bounds[i].head<3>()), bounds[i][3], pinhole)) continue;
-      scene.geoms[scene.ngeom++] = geoms[i];
+    const Frustum frustum(T_WC, pinhole, kNear, far);
+    seen.clear();
+    for (std::size_t i = 0; i < drawables.size(); ++i) {
+      const auto depth = drawables[i].box ? frustum.FarthestDepth(*drawables[i].box) : far;
+      if (depth) seen.emplace_back(*depth, i);
     }
+    std::sort(seen.begin(), seen.end());
+    scene.ngeom = 0;
+    for (const auto& [depth, index] : seen) scene.geoms[scene.ngeom++] = drawables[index].geom;
   }
 };
 
@@ -139,6 +165,12 @@ Renderer::~Renderer() = default;
 std::string Renderer::BackendName() const { return context_->Name(); }
 std::string Renderer::DeviceName() const { return GlRendererName(); }
 
+void Renderer::SetFar(double far_m) {
+  Check(far_m > kNear && far_m <= kFar, "the renderer's far plane at {} m is not in ({}, {}] m",
+        far_m, kNear, kFar);
+  mujoco_->far = far_m;
+}
+
 void Renderer::Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image) {
   Mujoco& mujoco = *mujoco_;
   Check(pinhole.width <= mujoco.context.offWidth && pinhole.height <= mujoco.context.offHeight,
@@ -146,7 +178,7 @@ void Renderer::Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image)
         pinhole.height);
   mujoco.KeepWhatIsSeen(T_WC, pinhole);
   // Without stereo MuJoCo draws from the mean of its two eyes.
-  mujoco.scene.camera[0] = mujoco.scene.camera[1] = ToGlCamera(T_WC, pinhole);
+  mujoco.scene.camera[0] = mujoco.scene.camera[1] = ToGlCamera(T_WC, pinhole, mujoco.far);
 
   const mjrRect viewport{0, 0, pinhole.width, pinhole.height};
   mjr_render(viewport, &mujoco.scene, &mujoco.context);
@@ -159,6 +191,9 @@ void Renderer::Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image)
   image.albedo.create(pinhole.height, pinhole.width, CV_8UC3);
   image.depth.create(pinhole.height, pinhole.width, CV_32FC1);
   const auto row_pixels = static_cast<std::size_t>(pinhole.width);
+  // Reversed depth runs from 1 at the near plane to 0 at the far one: 1/z is linear in it.
+  const auto inverse_far = static_cast<float>(1.0 / mujoco.far);
+  const auto inverse_span = static_cast<float>(1.0 / kNear - 1.0 / mujoco.far);
   for (int row = 0; row < pinhole.height; ++row) {
     // OpenGL's rows run upwards.
     const auto start = static_cast<std::size_t>(pinhole.height - 1 - row) * row_pixels;
@@ -166,12 +201,9 @@ void Renderer::Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image)
                 image.albedo.ptr<unsigned char>(row));
     auto* depth = image.depth.ptr<float>(row);
     for (std::size_t column = 0; column < row_pixels; ++column) {
-      // Reversed depth runs from 1 at the near plane to 0 at the far one: 1/z is linear in it.
-      constexpr auto kInverseFar = static_cast<float>(1.0 / kFar);
-      constexpr auto kInverseSpan = static_cast<float>(1.0 / kNear - 1.0 / kFar);
       const float d = mujoco.reversed_depth[start + column];
       depth[column] =
-          d > 0.F ? 1.F / (kInverseFar + d * kInverseSpan) : std::numeric_limits<float>::infinity();
+          d > 0.F ? 1.F / (inverse_far + d * inverse_span) : std::numeric_limits<float>::infinity();
     }
   }
 }

@@ -8,18 +8,10 @@
 
 #include "sensors_models/base/pose.h"
 #include "sim/render/gl_context.h"
+#include "sim/render/pinhole.h"
 #include "sim/world/world.h"
 
 namespace drydock::sim {
-
-/// A pinhole without distortion and with square pixels; pixel centres lie on integers.
-struct Pinhole {
-  int width = 0;       ///< [px]
-  int height = 0;      ///< [px]
-  double focal = 0.0;  ///< [px]
-  double cx = 0.0;     ///< [px]
-  double cy = 0.0;     ///< [px]
-};
 
 /// One view. Rows run from the top down.
 struct RawImage {
@@ -43,12 +35,16 @@ class Renderer {
   /// memory.
   void Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image);
 
+  /// From now on draws nothing that is farther than this along the axis [m], in (kNear, kFar].
+  /// Where water hides what is far, drawing it is wasted.
+  void SetFar(double far_m);
+
   /// "egl" or "osmesa".
   std::string BackendName() const;
   /// OpenGL's name for the device, for reports.
   std::string DeviceName() const;
 
-  /// What is nearer than this or farther than that [m] along the axis is not drawn.
+  /// What is nearer than this or farther than that [m] along the axis is never drawn.
   static constexpr double kNear = 0.05;
   static constexpr double kFar = 60.0;
 

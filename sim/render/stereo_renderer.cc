@@ -7,12 +7,13 @@
 namespace drydock::sim {
 
 StereoRenderer::StereoRenderer(World& world, RendererBackend backend,
-                               const std::array<Pinhole, 2>& pinholes)
+                               const std::array<Pinhole, 2>& pinholes, double far_m)
     : pinholes_(pinholes) {
   worker_.Run([&] {
-    renderer_ = std::make_unique<Renderer>(world, backend,
-                                           std::max(pinholes[0].width, pinholes[1].width),
-                                           std::max(pinholes[0].height, pinholes[1].height));
+    renderer_ =
+        std::make_unique<Renderer>(world, backend, std::max(pinholes[0].width, pinholes[1].width),
+                                   std::max(pinholes[0].height, pinholes[1].height));
+    renderer_->SetFar(far_m);
     backend_name_ = renderer_->BackendName();
     device_name_ = renderer_->DeviceName();
   });

@@ -16,8 +16,9 @@ using RawPair = std::array<RawImage, 2>;
 /// A Renderer for two eyes. The world must outlive it and must not move while a pair is drawn.
 class StereoRenderer {
  public:
-  /// InputError if the backend does not work.
-  StereoRenderer(World& world, RendererBackend backend, const std::array<Pinhole, 2>& pinholes);
+  /// Draws nothing beyond `far_m`, see Renderer::SetFar. InputError if the backend does not work.
+  StereoRenderer(World& world, RendererBackend backend, const std::array<Pinhole, 2>& pinholes,
+                 double far_m);
   /// Waits for what was begun.
   ~StereoRenderer();
   StereoRenderer(const StereoRenderer&) = delete;

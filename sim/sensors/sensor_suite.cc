@@ -11,7 +11,8 @@ namespace drydock::sim {
 
 SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& rays, const Rig& rig,
                          const SensorsConfig& config, const WaterConfig& water,
-                         RendererBackend backend, std::uint64_t seed) {
+                         RendererBackend backend, std::uint64_t seed, Time end)
+    : end_(end) {
   const auto add = [this](bool present, const SensorSwitches& switches, auto make) {
     if (present && switches.enabled) slots_.push_back({make(), switches.latency});
   };
@@ -30,9 +31,9 @@ SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& ray
                                    config.sonar_effects, seed);
   });
   add(true, config.stereo, [&] {
-    auto camera =
-        std::make_unique<StereoCamera>(StereoCamera::Surroundings{motion, world, rays}, rig.stereo,
-                                       water, config.image, config.depth_images, backend, seed);
+    auto camera = std::make_unique<StereoCamera>(
+        StereoCamera::Surroundings{motion, world, rays, end}, rig.stereo, water, config.image,
+        config.depth_images, backend, seed);
     camera_ = camera.get();
     return camera;
   });
@@ -47,12 +48,12 @@ void SensorSuite::Insert(Pending pending) {
   pending_.insert(place, std::move(pending));
 }
 
-std::optional<Observation> SensorSuite::Next(Time end) {
+std::optional<Observation> SensorSuite::Next() {
   while (true) {
     // The sensor that fires next, the first by rank on ties.
     std::size_t next = slots_.size();
     for (std::size_t rank = 0; rank < slots_.size(); ++rank) {
-      if (slots_[rank].sensor->NextTime() > end) continue;
+      if (slots_[rank].sensor->NextTime() > end_) continue;
       if (next == slots_.size() ||
           slots_[rank].sensor->NextTime() < slots_[next].sensor->NextTime())
         next = rank;

@@ -23,14 +23,13 @@ namespace drydock::sim {
 class SensorSuite {
  public:
   /// Everything passed by reference must outlive the suite. `rig` is the true one; sensors that it
-  /// lacks or that the configuration switches off stay silent.
+  /// lacks or that the configuration switches off stay silent. Nothing is measured after `end`.
   SensorSuite(const Motion& motion, World& world, const RayScene& rays, const Rig& rig,
               const SensorsConfig& config, const WaterConfig& water, RendererBackend backend,
-              std::uint64_t seed);
+              std::uint64_t seed, Time end);
 
-  /// The next observation to arrive among those measured up to `end`; nothing when there are no
-  /// more.
-  std::optional<Observation> Next(Time end);
+  /// The next observation to arrive; nothing when there are no more.
+  std::optional<Observation> Next();
 
   /// The IMU's biases now; zero if it is off.
   ImuTruth imu_truth() const { return imu_ == nullptr ? ImuTruth{} : imu_->truth(); }
@@ -48,6 +47,7 @@ class SensorSuite {
   };
   void Insert(Pending pending);
 
+  Time end_;
   std::vector<Slot> slots_;       ///< By rank.
   std::vector<Pending> pending_;  ///< Taken, not yet arrived; the next to arrive last.
   const Imu* imu_ = nullptr;

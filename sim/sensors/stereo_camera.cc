@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "sensors_models/base/check.h"
+
 namespace drydock::sim {
 
 StereoCamera::Eye StereoCamera::MakeEye(std::size_t eye, const StereoSheet& sheet,
@@ -20,6 +22,7 @@ StereoCamera::StereoCamera(const Surroundings& surroundings, const StereoSheet& 
                            const WaterConfig& water, const ImageSensorConfig& image,
                            bool depth_images, RendererBackend backend, std::uint64_t seed)
     : motion_(surroundings.motion),
+      end_(surroundings.end),
       sheet_(sheet),
       channels_(image.color ? ImageChannels::kColor : ImageChannels::kMonochrome),
       depth_images_(depth_images),
@@ -28,37 +31,43 @@ StereoCamera::StereoCamera(const Surroundings& surroundings, const StereoSheet& 
                    : std::nullopt),
       eyes_{MakeEye(0, sheet, water, image, shadows_ ? &*shadows_ : nullptr, seed),
             MakeEye(1, sheet, water, image, shadows_ ? &*shadows_ : nullptr, seed)},
-      auto_exposure_(sheet.imager, image.exposure) {
-  const Pinhole& left = eyes_[0].lens.source();
-  const Pinhole& right = eyes_[1].lens.source();
-  renderer_ =
-      std::make_unique<Renderer>(surroundings.world, backend, std::max(left.width, right.width),
-                                 std::max(left.height, right.height));
+      auto_exposure_(sheet.imager, image.exposure),
+      renderer_(surroundings.world, backend, {eyes_[0].lens.source(), eyes_[1].lens.source()},
+                std::min(FarthestLight(water), Renderer::kFar)) {}
+
+std::array<Pose, 2> StereoCamera::EyePoses(const Pose& T_WI) const {
+  return {T_WI * sheet_.T_IC[0], T_WI * sheet_.T_IC[1]};
 }
 
 Observation StereoCamera::Observe() {
   const Time t = NextTime();
+  const Pose T_WI = motion_.At(t).T_WI;
+  if (!renderer_.HasBegun()) renderer_.Begin(EyePoses(T_WI));
+  const RawPair& raw = renderer_.Finish();
+  const Time next = SampleTime(Time{}, next_ + 1, sheet_.rate_hz);
+  if (next <= end_) renderer_.Begin(EyePoses(motion_.At(next).T_WI));
+
   StereoTruth truth;
-  const double light = Gather(motion_.At(t).T_WI, depth_images_ ? &truth : nullptr);
+  const double light = Gather(raw, T_WI, depth_images_ ? &truth : nullptr);
   StereoFrame frame = Expose(auto_exposure_.Next(t, light));
   ++next_;
   return {{t, t, std::move(frame)}, std::move(truth)};
 }
 
 StereoFrame StereoCamera::Look(const Pose& T_WI, StereoTruth* truth) {
-  const double light = Gather(T_WI, truth);
-  return Expose(auto_exposure_.Settled(light));
+  Check(!renderer_.HasBegun(), "look before the dive or after it");
+  renderer_.Begin(EyePoses(T_WI));
+  return Expose(auto_exposure_.Settled(Gather(renderer_.Finish(), T_WI, truth)));
 }
 
-double StereoCamera::Gather(const Pose& T_WI, StereoTruth* truth) {
+double StereoCamera::Gather(const RawPair& raw, const Pose& T_WI, StereoTruth* truth) {
+  const std::array<Pose, 2> T_WC = EyePoses(T_WI);
   double light = 0.0;
   for (std::size_t i = 0; i < eyes_.size(); ++i) {
     Eye& eye = eyes_[i];
-    const Pose T_WC = T_WI * sheet_.T_IC[i];
-    renderer_->Render(T_WC, eye.lens.source(), raw_);
-    eye.optics.Apply(raw_, T_WC, channels_, radiance_);
+    eye.optics.Apply(raw[i], T_WC[i], channels_, radiance_);
     eye.lens.ApplySmooth(radiance_, eye.light);
-    if (truth != nullptr) eye.lens.ApplyNearest(raw_.depth, truth->depth[i]);
+    if (truth != nullptr) eye.lens.ApplyNearest(raw[i].depth, truth->depth[i]);
     light += MeterLight(eye.light) / static_cast<double>(eyes_.size());
   }
   return light;

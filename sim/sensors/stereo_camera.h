@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "sensors_models/measurement/rig.h"
@@ -13,13 +12,14 @@
 #include "sim/optics/image_sensor.h"
 #include "sim/optics/underwater_optics.h"
 #include "sim/render/lens.h"
-#include "sim/render/renderer.h"
+#include "sim/render/stereo_renderer.h"
 #include "sim/sensors/sensor.h"
 #include "sim/world/ray_scene.h"
 
 namespace drydock::sim {
 
 /// Renderer, water, lens and sensor of two eyes that look at the same instant. Both expose alike.
+/// The next pair is drawn on a thread of its own while this one is worked on.
 class StereoCamera final : public Sensor {
  public:
   /// What is around the camera; all of it must outlive the camera.
@@ -27,6 +27,7 @@ class StereoCamera final : public Sensor {
     const Motion& motion;
     World& world;
     const RayScene& rays;  ///< Casts the shadows.
+    Time end;              ///< Nothing will be observed after this.
   };
 
   /// InputError if no OpenGL can be had.
@@ -40,7 +41,7 @@ class StereoCamera final : public Sensor {
   /// What the camera sees from any pose with its exposure settled, for calibration and tests.
   StereoFrame Look(const Pose& T_WI, StereoTruth* truth);
 
-  const Renderer& renderer() const { return *renderer_; }
+  const StereoRenderer& renderer() const { return renderer_; }
 
  private:
   struct Eye {
@@ -51,21 +52,22 @@ class StereoCamera final : public Sensor {
   };
   static Eye MakeEye(std::size_t eye, const StereoSheet& sheet, const WaterConfig& water,
                      const ImageSensorConfig& image, DaylightGrid* shadows, std::uint64_t seed);
-  /// Fills each eye's light and gives their mean.
-  double Gather(const Pose& T_WI, StereoTruth* truth);
+  std::array<Pose, 2> EyePoses(const Pose& T_WI) const;
+  /// Fills each eye's light from what it sees and gives their mean.
+  double Gather(const RawPair& raw, const Pose& T_WI, StereoTruth* truth);
   StereoFrame Expose(const Exposure& exposure);
 
   const Motion& motion_;
+  Time end_;
   StereoSheet sheet_;
   ImageChannels channels_;
   bool depth_images_;
   std::optional<DaylightGrid> shadows_;
   std::array<Eye, 2> eyes_;
   AutoExposure auto_exposure_;
-  std::unique_ptr<Renderer> renderer_;
+  StereoRenderer renderer_;
   std::int64_t next_ = 0;
-  RawImage raw_;  ///< Reused from frame to frame, as is the next.
-  cv::Mat radiance_;
+  cv::Mat radiance_;  ///< Reused from frame to frame.
 };
 
 }  // namespace drydock::sim

@@ -1,4 +1,7 @@
-// The camera, stage by stage, on poses along the bus dive: one left image an iteration.
+// The camera, stage by stage, on poses along the bus dive: one left image an iteration; and a
+// stereo pair through all stages, with the share of each.
+#include <array>
+#include <ctime>
 #include <memory>
 
 #include <benchmark/benchmark.h>
@@ -28,7 +31,8 @@ class Stages {
         renderer(dive.world, sim::RendererBackend::kAuto, lens.source().width,
                  lens.source().height) {
     for (const Pose& T_WI : dive.Poses(kPoses)) {
-      poses.push_back(T_WI * dive.rig.stereo.T_IC[0]);
+      pairs.push_back({T_WI * dive.rig.stereo.T_IC[0], T_WI * dive.rig.stereo.T_IC[1]});
+      poses.push_back(pairs.back()[0]);
       renderer.Render(poses.back(), lens.source(), raw.emplace_back());
       optics.Apply(raw.back(), poses.back(), sim::ImageChannels::kMonochrome,
                    radiance.emplace_back());
@@ -48,7 +52,8 @@ class Stages {
   sim::UnderwaterOptics optics;
   sim::Renderer renderer;
   sim::ImageSensor sensor{dive.rig.stereo.imager, {}, dive.rig.stereo.cameras[0], 1, "cam0/noise"};
-  std::vector<Pose> poses;
+  std::vector<std::array<Pose, 2>> pairs;  ///< Of both eyes.
+  std::vector<Pose> poses;                 ///< Of the left eye.
   std::vector<sim::RawImage> raw;
   std::vector<cv::Mat> radiance;
   std::vector<cv::Mat> through_lens;
@@ -115,12 +120,48 @@ void WritePng(::benchmark::State& state) {
   });
 }
 
+/// Adds the processor time of `work`, all threads together, to `sum` [ms].
+template <typename Work>
+void Charge(double& sum, Work work) {
+  const std::clock_t start = std::clock();
+  work();
+  sum += 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// A stereo pair as it is recorded; both eyes look through the left lens, which costs the same. The
+/// counters are processor milliseconds a pair.
+void StereoPair(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  sim::RawImage raw;
+  cv::Mat radiance, through_lens, image;
+  std::vector<unsigned char> bytes;
+  double render = 0, optics = 0, lens = 0, exposure = 0, png = 0;
+  Loop(state, [&](std::size_t i) {
+    for (const Pose& T_WC : stages.pairs[i]) {
+      Charge(render, [&] { stages.renderer.Render(T_WC, stages.lens.source(), raw); });
+      Charge(optics,
+             [&] { stages.optics.Apply(raw, T_WC, sim::ImageChannels::kMonochrome, radiance); });
+      Charge(lens, [&] { stages.lens.ApplySmooth(radiance, through_lens); });
+      Charge(exposure,
+             [&] { stages.sensor.Expose(through_lens, stages.Settled(through_lens), 0, image); });
+      Charge(png, [&] { cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}); });
+    }
+  });
+  using ::benchmark::Counter;
+  state.counters["1_render"] = Counter(render, Counter::kAvgIterations);
+  state.counters["2_optics"] = Counter(optics, Counter::kAvgIterations);
+  state.counters["3_lens"] = Counter(lens, Counter::kAvgIterations);
+  state.counters["4_exposure"] = Counter(exposure, Counter::kAvgIterations);
+  state.counters["5_png"] = Counter(png, Counter::kAvgIterations);
+}
+
 BENCHMARK(Render)->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(Optics)->Unit(::benchmark::kMillisecond);
 BENCHMARK(OpticsColor)->Unit(::benchmark::kMillisecond);
 BENCHMARK(LensResampling)->Unit(::benchmark::kMillisecond);
 BENCHMARK(Exposure)->Unit(::benchmark::kMillisecond);
 BENCHMARK(WritePng)->Unit(::benchmark::kMillisecond);
+BENCHMARK(StereoPair)->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace drydock::benchmark

@@ -40,6 +40,22 @@ TEST(Mesh, BoxIsClosedAndFacesOutwards) {
   ExpectNormalsFollowTriangles(box);
 }
 
+TEST(Mesh, EraseDropsWhatIsWhollyUnwanted) {
+  // The lid has two triangles, the sides two each with a corner below; the bottom's two go, with
+  // the four vertices of their own.
+  Mesh box = Box(Vector3d::Zero(), {1, 1, 1}, {}, 0.0, 2);
+  ASSERT_EQ(box.positions.size(), 24U);
+  const double area = SurfaceArea(box);
+  box.Erase([](const Vector3d& p) { return p.z() < 0; });
+  EXPECT_EQ(box.triangles.size(), 10U);
+  EXPECT_EQ(box.positions.size(), 20U);
+  EXPECT_NEAR(SurfaceArea(box), area - 1.0, 1e-12);
+  ExpectNormalsFollowTriangles(box);
+  box.Erase([](const Vector3d&) { return true; });
+  EXPECT_TRUE(box.IsEmpty());
+  EXPECT_TRUE(box.positions.empty());
+}
+
 TEST(Mesh, BevelledBoxIsClosed) {
   for (int axis = 0; axis < 3; ++axis) {
     const Mesh box = Box(Vector3d::Zero(), {0.4, 0.3, 0.2}, {}, 0.05, axis);

@@ -179,6 +179,31 @@ TEST(Renderer, CullingChangesNothingThatIsSeen) {
   EXPECT_LE(wrong, 12);  // Rays that graze an edge.
 }
 
+TEST(Renderer, NothingIsSeenBeyondTheFarPlane) {
+  const TemporaryFolder folder;
+  // Faces at 2 m and at 6 m, the far one around the near one.
+  World world(WriteScene(folder.path(), BoxElement("near", {2.5, 0.0, 0.0}, {0.5, 0.5, 0.5}) +
+                                            BoxElement("far", {6.5, 0.0, 0.0}, {0.5, 4.0, 4.0})));
+  const Pinhole pinhole{320, 240, 230.0, 159.5, 119.5};
+  Renderer renderer(world, RendererBackend::kAuto, 320, 240);
+  RawImage raw;
+  const auto look = [&](double far_m) {
+    renderer.SetFar(far_m);
+    renderer.Render(Pose(kCameraInBody, {0, 0, 0}), pinhole, raw);
+  };
+  look(6.1);
+  EXPECT_NEAR(raw.depth.at<float>(120, 160), 2.0, 1e-4);
+  EXPECT_NEAR(raw.depth.at<float>(120, 20), 6.0, 1e-4);
+  for (const double far_m : {5.9, 6.0 - 1e-3}) {
+    look(far_m);
+    EXPECT_NEAR(raw.depth.at<float>(120, 160), 2.0, 1e-4);
+    EXPECT_TRUE(std::isinf(raw.depth.at<float>(120, 20)));
+    EXPECT_EQ(raw.albedo.at<cv::Vec3b>(120, 20), cv::Vec3b(0, 0, 0));
+  }
+  EXPECT_THROW(renderer.SetFar(Renderer::kNear), std::exception);
+  EXPECT_THROW(renderer.SetFar(1.01 * Renderer::kFar), std::exception);
+}
+
 TEST(Renderer, SameBytesTwice) {
   const TemporaryFolder folder;
   World world(WriteScene(folder.path(), BoxElement("box", {2.0, 0.0, 0.0}, {0.3, 0.3, 0.3}, 25.0)));

@@ -25,10 +25,9 @@ class SensorSuiteTest : public ::testing::Test {
   std::vector<Observation> Collect(const SensorsConfig& config, std::uint64_t seed,
                                    double seconds) {
     SensorSuite suite(motion_, world_, rays_, rig_, config, WaterConfig{}, RendererBackend::kAuto,
-                      seed);
+                      seed, Time::FromSeconds(seconds));
     std::vector<Observation> observations;
-    while (auto observation = suite.Next(Time::FromSeconds(seconds)))
-      observations.push_back(*observation);
+    while (auto observation = suite.Next()) observations.push_back(*observation);
     return observations;
   }
 

@@ -117,7 +117,7 @@ TEST(SensorsConfig, UnknownKeysAreRefused) {
   EXPECT_THROW(Read("imu: {noise: no}\n"), InputError);
   EXPECT_THROW(Read("imu: {lag: false}\n"), InputError);
   EXPECT_THROW(Read("imu: {scale_error: 0}\n"), InputError);
-  EXPECT_THROW(Read("sonar: {white_noise: false}\n"), InputError);
+  EXPECT_THROW(Read("sonar: {bias_walk: false}\n"), InputError);
   EXPECT_THROW(Read("depth: {latency_s: -1}\n"), InputError);
 }
 

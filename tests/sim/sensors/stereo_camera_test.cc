@@ -30,7 +30,7 @@ class StereoCameraTest : public ::testing::Test {
 
   StereoCamera MakeCamera(const WaterConfig& water, const ImageSensorConfig& image,
                           bool depth_images) {
-    return {{motion_, world_, rays_},
+    return {{motion_, world_, rays_, motion_.End()},
             rig_.stereo,
             water,
             image,
