@@ -1,6 +1,7 @@
 #include "sim/optics/daylight_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/optics/vector_clones.h"
 
@@ -71,6 +72,25 @@ void Interpolate(const Lattice& given, const int* first, const std::uint32_t* po
     sun[i] = kByteToShare * Mix(sun0, sun1, fy);
     sky[i] = kByteToShare * Mix(sky0, sky1, fy);
   }
+}
+
+DRYDOCK_VECTOR_CLONES
+void TakeEveryOther(int count, const float* all, float* half) {
+  DRYDOCK_NO_OVERLAP
+  for (int i = 0; i < count; ++i) half[i] = all[2 * i];
+}
+
+DRYDOCK_VECTOR_CLONES
+void SpreadToPixels(int count, const float* depth, const float* half, float* light) {
+  const int pairs = (count - 1) / 2;
+  DRYDOCK_NO_OVERLAP
+  for (int i = 0; i < pairs; ++i) {
+    const float here = depth[2 * i + 1];
+    const bool left = std::abs(here - depth[2 * i]) <= std::abs(depth[2 * i + 2] - here);
+    light[2 * i] = half[i];
+    light[2 * i + 1] = left ? half[i] : half[i + 1];
+  }
+  for (int u = 2 * pairs; u < count; ++u) light[u] = half[pairs];
 }
 
 }  // namespace drydock::sim::rows

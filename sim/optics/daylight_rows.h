@@ -22,4 +22,10 @@ void Interpolate(const Lattice& lattice, const int* first, const std::uint32_t* 
                  const float* x, const float* y, const float* z, const int* brick, float* sun,
                  float* sky);
 
+/// half[i] = all[2 i], `count` elements.
+void TakeEveryOther(int count, const float* all, float* half);
+/// Light at each of `count` pixels from that at every other one, the first one included; between
+/// two it is that of the one that is nearer in depth, so that it does not run over silhouettes.
+void SpreadToPixels(int count, const float* depth, const float* half, float* light);
+
 }  // namespace drydock::sim::rows

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "sensors_models/base/check.h"
+#include "sim/optics/daylight_rows.h"
 
 namespace drydock::sim {
 namespace {
@@ -49,6 +50,8 @@ UnderwaterOptics::UnderwaterOptics(const WaterConfig& water, const Pinhole& pinh
   }
   for (std::vector<float>* row : {&sunward_, &upward_, &sun_, &sky_, &light_, &slope_, &open_})
     row->assign(width, 1.F);
+  for (std::vector<float>* row : {&half_sun_, &half_sky_}) row->resize(width / 2 + 1);
+  for (auto& row : half_place_) row.resize(width / 2 + 1);
   for (auto& row : albedo_) row.resize(width);
   for (auto& row : place_) row.resize(width);
 }
@@ -75,16 +78,24 @@ rows::RowView UnderwaterOptics::ViewFrom(const Pose& T_WC) const {
   return view;
 }
 
+void UnderwaterOptics::ShadeRow(const float* depth, int width) {
+  // Shadows are soft: every other pixel will do.
+  const int half = (width + 1) / 2;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rows::TakeEveryOther(half, place_[axis].data(), half_place_[axis].data());
+  shadows_->At(half, half_place_[0].data(), half_place_[1].data(), half_place_[2].data(),
+               half_sun_.data(), half_sky_.data());
+  rows::SpreadToPixels(width, depth, half_sun_.data(), sun_.data());
+  rows::SpreadToPixels(width, depth, half_sky_.data(), sky_.data());
+}
+
 void UnderwaterOptics::LightRow(const RawImage& raw, const rows::RowView& view, int v) {
   const int last_row = raw.depth.rows - 1;
   rows::Surfaces(
       view, raw.depth.ptr<float>(std::max(v - 1, 0)), raw.depth.ptr<float>(v),
       raw.depth.ptr<float>(std::min(v + 1, last_row)), DaylightGrid::kSurfaceOffset,
       {sunward_.data(), upward_.data(), {place_[0].data(), place_[1].data(), place_[2].data()}});
-  if (shadows_ != nullptr) {
-    shadows_->At(view.width, place_[0].data(), place_[1].data(), place_[2].data(), sun_.data(),
-                 sky_.data());
-  }
+  if (shadows_ != nullptr) ShadeRow(raw.depth.ptr<float>(v), view.width);
   rows::Illuminate(view.width, sunward_.data(), upward_.data(), sun_.data(), sky_.data(),
                    static_cast<float>(water_.sun_share), light_.data());
 }

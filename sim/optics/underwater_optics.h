@@ -46,6 +46,8 @@ class UnderwaterOptics {
  private:
   void DecodeAlbedo(const cv::Mat& albedo, int row);
   rows::RowView ViewFrom(const Pose& T_WC) const;
+  /// What shadows leave at the places in work, which belong to a row of these depths.
+  void ShadeRow(const float* depth, int width);
   /// Light on the surfaces of row `v`.
   void LightRow(const RawImage& raw, const rows::RowView& view, int v);
 
@@ -61,6 +63,8 @@ class UnderwaterOptics {
   std::vector<float> columns_;                ///< (u - cx) / focal
   std::array<std::vector<float>, 3> albedo_;  ///< Linear.
   std::array<std::vector<float>, 3> place_;
+  std::array<std::vector<float>, 3> half_place_;  ///< Every other of these,
+  std::vector<float> half_sun_, half_sky_;        ///< and its light.
   std::vector<float> sunward_, upward_, sun_, sky_, light_, slope_;
   std::vector<float> open_;  ///< Ones: nothing is in shadow.
   // Images in work: one plane for each channel that is delivered.

@@ -1,9 +1,9 @@
-// One copy of a function for AVX2 and one for every x86-64, chosen when the program starts. The
-// code must be such that both give the same bits: no contraction, no reassociation.
+// Copies of a function for AVX-512, for AVX2 and for every x86-64, chosen when the program starts.
+// The code must be such that both give the same bits: no contraction, no reassociation.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
-#define DRYDOCK_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
+#define DRYDOCK_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define DRYDOCK_VECTOR_CLONES
 #endif

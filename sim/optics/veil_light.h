@@ -30,7 +30,7 @@ class VeilLight {
 
  private:
   static constexpr int kRaster = 16;  ///< [px]
-  static constexpr int kSlices = 8;   ///< Of each ray.
+  static constexpr int kSlices = 6;   ///< Of each ray.
 
   void LookAlongRow(int row, const Pose& T_WC, DaylightGrid& shadows);
 
