@@ -48,7 +48,7 @@ void ForwardScatter::Upsample(std::size_t layer, int row, int width) {
                     static_cast<float>(row % spacing) / static_cast<float>(spacing), coarse.data());
   for (std::size_t i = static_cast<std::size_t>(image.cols); i < coarse.size(); ++i)
     coarse[i] = coarse[i - 1];
-  fine_[layer].resize(static_cast<std::size_t>(count * spacing));
+  fine_[layer].resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(spacing));
   rows::Stretch(count, spacing, coarse.data(), fine_[layer].data());
 }
 

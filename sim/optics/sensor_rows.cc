@@ -28,7 +28,9 @@ inline __attribute__((always_inline)) float Bell(std::uint32_t bits) {
 }
 
 inline __attribute__((always_inline)) int ToIndex(float share, float last) {
-  return static_cast<int>(std::sqrt(std::min(std::max(0.F, share), 1.F)) * last + 0.5F);
+  // Truncation vectorises; the sum is never negative.
+  return static_cast<int>(  // NOLINT(bugprone-incorrect-roundings)
+      std::sqrt(std::min(std::max(0.F, share), 1.F)) * last + 0.5F);
 }
 
 }  // namespace

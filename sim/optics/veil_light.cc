@@ -19,14 +19,14 @@ VeilLight::VeilLight(const WaterConfig& water, const Pinhole& pinhole)
   const int columns = CellsIn(pinhole.width, kRaster) + 1;
   for (cv::Mat& lit : lit_) lit.create(CellsIn(pinhole.height, kRaster) + 1, columns, CV_32FC1);
   coarse_.resize(static_cast<std::size_t>(columns));
-  for (auto& slice : slices_) slice.resize(static_cast<std::size_t>((columns - 1) * kRaster));
+  for (auto& slice : slices_) slice.resize(static_cast<std::size_t>(columns - 1) * kRaster);
   seen_.resize(static_cast<std::size_t>(pinhole.width));
   shares_.resize(static_cast<std::size_t>(pinhole.width));
 }
 
 void VeilLight::LookAlongRow(int row, const Pose& T_WC, DaylightGrid& shadows) {
   const int columns = lit_[0].cols;
-  const auto count = static_cast<std::size_t>(columns * kSlices);
+  const auto count = static_cast<std::size_t>(columns) * kSlices;
   std::array<std::vector<float>, 3> place;
   for (auto& axis : place) axis.resize(count);
   const double y = (row * kRaster - pinhole_.cy) / pinhole_.focal;

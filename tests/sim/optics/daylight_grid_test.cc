@@ -56,6 +56,7 @@ TEST_F(DaylightGridTest, DoesNotDependOnTheOrderOfAsking) {
     places.emplace_back(0.1F * x - 10.F, 0.19F * x - 15.F, 0.02F * x);
   }
   std::vector<Daylight> light;
+  light.reserve(places.size());
   for (const auto& place : places) light.push_back(forth.At(place));
   for (std::size_t i = places.size(); i-- > 0;) {
     const Daylight again = back.At(places[i]);

@@ -74,7 +74,7 @@ TEST(ImageSensor, ColourComesOutAsBgr) {
   const cv::Mat light(1, 1, CV_32FC3, cv::Scalar(0.9, 0.5, 0.1));  // Red, green, blue.
   const cv::Mat image = Expose(LinearImager(), light, 1.0);
   ASSERT_EQ(image.type(), CV_8UC3);
-  const auto pixel = image.at<cv::Vec3b>(0, 0);
+  const auto& pixel = image.at<cv::Vec3b>(0, 0);
   EXPECT_NEAR(pixel[0], 25.5, 1.0);
   EXPECT_NEAR(pixel[1], 127.5, 1.0);
   EXPECT_NEAR(pixel[2], 229.5, 1.0);
