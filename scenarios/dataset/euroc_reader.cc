@@ -159,6 +159,8 @@ void EurocReader::OrderByArrival(const fs::path& path) {
     by_stamp.erase(found);
     entry.t_arrival = csv.Stamp(1);
     if (entry.t_arrival < entry.t) csv.Fail(1, "at least the timestamp");
+    if (!ordered.empty() && entry.t_arrival < ordered.back().t_arrival)
+      csv.Fail(1, fmt::format("at least the {} before it", ordered.back().t_arrival.ns));
     const std::int64_t index = csv.Integer(3);
     if (auto* files = std::get_if<FrameFiles>(&entry.reading)) files->index = index;
     ordered.push_back(std::move(entry));
@@ -222,7 +224,8 @@ std::vector<StampedTruth> EurocReader::ReadTruth() const {
     row.state.T_WI = Pose(q, ReadVector(csv, 1));
     RequireInput(csv.size() == kPoseColumns || csv.size() == columns.size(),
                  "{}: {} fields, must be 8 or 17", csv.Place(), csv.size());
-    if (csv.size() > kPoseColumns) {
+    row.pose_only = csv.size() == kPoseColumns;
+    if (!row.pose_only) {
       row.state.v_W = ReadVector(csv, 8);
       row.state.gyro_bias = ReadVector(csv, 11);
       row.state.accel_bias = ReadVector(csv, 14);

@@ -32,6 +32,8 @@ class EurocReader {
 
   /// How many measurements there are.
   std::size_t size() const { return entries_.size(); }
+  /// When the robot had the i-th; never decreases.
+  Time ArrivalOf(std::size_t i) const { return entries_.at(i).t_arrival; }
   /// The i-th; loads images. InputError for an image that cannot be read or has the wrong size.
   Measurement Read(std::size_t i) const;
 

@@ -1,14 +1,15 @@
 #include "scenarios/runner/run.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
 #include "estimator/registry/registry.h"
+#include "scenarios/results/event_log.h"
+#include "scenarios/results/stopwatch.h"
 #include "scenarios/runner/dive.h"
 #include "scenarios/runner/dive_recorder.h"
 #include "scenarios/runner/run_files.h"
-#include "scenarios/runner/version.h"
+#include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 
@@ -16,20 +17,6 @@ namespace drydock {
 namespace {
 
 constexpr std::size_t kSheetFrames = 8;
-
-/// Adds the wall-clock time of its own life to a sum. Timings are reported, never used.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& seconds_;
-  Clock::time_point start_;
-};
 
 std::unique_ptr<Dive> StartDive(const Scenario& scenario, const RunOptions& options,
                                 RunTimings& timings) {
@@ -61,40 +48,6 @@ class FrameSampler {
  private:
   std::vector<std::size_t> wanted_;
   std::vector<report::SheetFrame> frames_;
-};
-
-std::string_view Describe(TrackingStatus status) {
-  switch (status) {
-    case TrackingStatus::kInitialising:
-      return "initialising";
-    case TrackingStatus::kTracking:
-      return "tracking";
-    case TrackingStatus::kDeadReckoning:
-      return "dead reckoning";
-    case TrackingStatus::kLost:
-      return "lost";
-  }
-  return "unknown";
-}
-
-/// Notes each change of the estimator's status or map.
-class EventLog {
- public:
-  void Look(Time t, const std::optional<NavEstimate>& estimate) {
-    const TrackingStatus status = estimate ? estimate->status : TrackingStatus::kInitialising;
-    const int map_id = estimate ? estimate->map_id : 0;
-    if (!events_.empty() && status == status_ && map_id == map_id_) return;
-    events_.push_back(fmt::format("{:.3f} s: {}, map {}", t.Seconds(), Describe(status), map_id));
-    status_ = status;
-    map_id_ = map_id;
-  }
-
-  std::vector<std::string> Take() { return std::move(events_); }
-
- private:
-  TrackingStatus status_ = TrackingStatus::kInitialising;
-  int map_id_ = 0;
-  std::vector<std::string> events_;
 };
 
 score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
@@ -154,11 +107,9 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
     estimator->Finish();
   }
 
-  const RunFiles files{
-      dive->Truth(), estimator->Odometry(), estimator->Corrected(), estimator->Loops(),
-      log.Take(),    sampler.Take()};
-  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.odometry,
-                                  files.corrected, scenario.criteria);
+  const RunFiles files{dive->Truth(), CollectResults(*estimator, log.Take()), sampler.Take()};
+  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.results.odometry,
+                                  files.results.corrected, scenario.criteria);
   WriteRunFiles(output.path(), scenario, *dive, files, result);
   if (recorder) recorder->Commit();
   output.Commit(AtomicDirectory::IfExists::kReplace);

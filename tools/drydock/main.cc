@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   AddRunCommand(app, chosen);
   AddSimulateCommand(app, chosen);
 #endif
+  AddEstimateCommand(app, chosen);
   AddScoreCommand(app, chosen);
   AddListCommand(app, chosen);
   try {

@@ -5,9 +5,9 @@
 
 #include "scenarios/dataset/tum.h"
 #include "scenarios/scoring/json.h"
-#include "scenarios/scoring/metrics.h"
 #include "scenarios/scoring/trajectory_score.h"
 #include "tools/drydock/commands.h"
+#include "tools/drydock/print_metrics.h"
 
 namespace drydock::cli {
 namespace {
@@ -32,10 +32,7 @@ int ScoreFiles(const Arguments& arguments) {
   }
   fmt::print("{} pairs, aligned by {}, path {:.2f} m\n", result.association.pairs.size(),
              arguments.align, result.path_length_m);
-  for (const score::MetricInfo& metric : score::AllMetrics()) {
-    const std::optional<double>& value = result.metrics.*metric.value;
-    if (value) fmt::print("  {:<24} {:>10.4f} {}\n", metric.name, *value, metric.unit);
-  }
+  PrintMetrics(result.metrics);
   return kPassed;
 }
 
