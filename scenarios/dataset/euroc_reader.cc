@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -27,6 +28,7 @@ constexpr std::array<const char*, 4> kSensorNames = {kImuFolder, kCameraFolders[
 constexpr std::array<int, 4> kOrderAtEqualTimes = {0, 3, 1, 2};
 
 fs::path FindRoot(const fs::path& folder) {
+  RequireInput(fs::exists(folder), "{}: no such folder", folder.string());
   if (fs::is_directory(folder / kRoot)) return folder / kRoot;
   RequireInput(fs::is_directory(folder / kImuFolder),
                "{}: no recording in EuRoC's layout: neither '{}' nor '{}' is in it",
@@ -56,8 +58,30 @@ std::map<Time, std::string> ReadImageNames(const fs::path& folder) {
   return names;
 }
 
-cv::Mat LoadImage(const fs::path& path) {
+/// Width and height as the head of a PNG has them; nothing for other formats.
+std::optional<cv::Size> SizeOfPng(const std::string& bytes) {
+  constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+  constexpr std::size_t kWidthAt = 16;  // Behind the signature, a chunk's length and its name.
+  if (!bytes.starts_with(kSignature) || bytes.size() < kWidthAt + 8) return std::nullopt;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+    return static_cast<int>(std::min<std::uint32_t>(value, std::numeric_limits<int>::max()));
+  };
+  return cv::Size(number(kWidthAt), number(kWidthAt + 4));
+}
+
+void RequireSize(const cv::Size& size, const CameraIntrinsics& camera, const fs::path& path) {
+  RequireInput(size.width == camera.width && size.height == camera.height,
+               "{}: is {}x{} px, must be {}x{} as sensor.yaml says", path.string(), size.width,
+               size.height, camera.width, camera.height);
+}
+
+cv::Mat LoadImage(const fs::path& path, const CameraIntrinsics& camera) {
   const std::string bytes = ReadFile(path);
+  // Before it is unpacked: a few bytes can claim gigabytes.
+  if (const auto size = SizeOfPng(bytes)) RequireSize(*size, camera, path);
   cv::Mat image;
   try {
     const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
@@ -178,15 +202,19 @@ StereoFrame EurocReader::Load(const FrameFiles& files) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const fs::path path = mav0_ / kCameraFolders[i] / kDataFolder / files.names[i];
     const CameraIntrinsics& camera = rig_.stereo.cameras[i];
-    frame.images[i] = LoadImage(path);
+    frame.images[i] = LoadImage(path, camera);
     const cv::Mat& image = frame.images[i];
     RequireInput(image.type() == CV_8UC1 || image.type() == CV_8UC3,
                  "{}: must be an 8-bit grey or colour image", path.string());
-    RequireInput(image.cols == camera.width && image.rows == camera.height,
-                 "{}: is {}x{} px, must be {}x{} as sensor.yaml says", path.string(), image.cols,
-                 image.rows, camera.width, camera.height);
+    RequireSize(image.size(), camera, path);
   }
   return frame;
+}
+
+bool EurocReader::HasImuSamples() const {
+  return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+    return std::holds_alternative<ImuSample>(entry.reading);
+  });
 }
 
 Measurement EurocReader::Read(std::size_t i) const {

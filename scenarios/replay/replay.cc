@@ -17,6 +17,7 @@
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
+#include "sensors_models/models/usable_rig.h"
 
 namespace drydock {
 namespace fs = std::filesystem;
@@ -40,15 +41,16 @@ class Player {
     const Stopwatch watch(result_.timings.reading);
     reader_ = std::make_unique<dataset::EurocReader>(recording, options.warn);
     truth_ = reader_->ReadTruth();
-    rig_ = options.rig.empty() ? reader_->rig() : LoadRig(FindRig(options.rig));
+    rig_ = options.rig.empty() ? OwnRig() : LoadUsableRig(FindRig(options.rig));
   }
 
   ReplayResult Play() {
-    RequireInput(reader_->size() > 0, "{}: the recording holds no measurements",
-                 recording_.string());
+    RequireInput(reader_->HasImuSamples(), "{}: no samples: every estimator needs them",
+                 reader_->FileName("imu0/data.csv"));
     RequireOutputElsewhere();
+    RequireReplaceable(options_.output, {"manifest.json"});
     const std::unique_ptr<Estimator> estimator = FindEstimator(options_.estimator).make(rig_);
-    estimator->Start(KnownStart());
+    Start(*estimator);
     AtomicDirectory output(options_.output);
     const Results results = Feed(*estimator);
     result_.poses = results.odometry.size();
@@ -72,15 +74,39 @@ class Player {
     }
   }
 
-  std::optional<NavState> KnownStart() const {
-    if (!options_.start_from_truth) return std::nullopt;
+  /// The rig of the recording, if it can be computed with.
+  Rig OwnRig() const {
+    std::size_t i = 0;
+    for (const char* camera : dataset::kCameraFolders) {
+      const std::string sheet = fmt::format("{}/{}", camera, dataset::kSensorFile);
+      RequireUsable(reader_->rig().stereo.cameras[i++], reader_->FileName(sheet));
+    }
+    return reader_->rig();
+  }
+
+  void Start(Estimator& estimator) const {
+    if (options_.start_from_truth) {
+      estimator.Start(KnownStart());
+      return;
+    }
+    try {
+      estimator.Start(std::nullopt);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format(
+          "{}; --start-from-truth tells it, where the recording has ground truth", error.what()));
+    }
+  }
+
+  NavState KnownStart() const {
     RequireInput(!truth_.empty(), "{}: the recording has no ground truth to start from",
                  recording_.string());
     const auto& [t, state, pose_only] = truth_.front();
     RequireInput(!pose_only,
                  "{}: the ground truth has poses alone: a start needs velocity and biases too",
                  recording_.string());
-    return NavState{t, state.T_WI, state.v_W, state.gyro_bias, state.accel_bias};
+    RequireInput(t <= reader_->ArrivalOf(reader_->size() - 1),
+                 "{}: the ground truth begins after the last measurement", recording_.string());
+    return {t, state.T_WI, state.v_W, state.gyro_bias, state.accel_bias};
   }
 
   Measurement Read(std::size_t i) {

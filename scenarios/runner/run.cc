@@ -12,6 +12,7 @@
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
+#include "sensors_models/models/usable_rig.h"
 
 namespace drydock {
 namespace {
@@ -61,11 +62,27 @@ score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
   return info;
 }
 
+/// Where the scenario says, or ought to, whether the estimator knows its start.
+std::string PlaceOfStart(const YamlNode& scenario) {
+  const YamlNode* estimator = scenario.Find("estimator");
+  if (estimator == nullptr) return scenario.place.ToString();
+  const YamlNode* start = estimator->Find("start_from_truth");
+  return (start == nullptr ? estimator : start)->place.ToString();
+}
+
 std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& dive) {
-  const Rig believed = LoadRig(FindRig(scenario.estimator.rig));
+  const Rig believed = LoadUsableRig(FindRig(scenario.estimator.rig));
   std::unique_ptr<Estimator> estimator = FindEstimator(scenario.estimator.name).make(believed);
-  estimator->Start(scenario.estimator.start_from_truth ? std::optional(dive.InitialState())
-                                                       : std::nullopt);
+  if (scenario.estimator.start_from_truth) {
+    estimator->Start(dive.InitialState());
+    return estimator;
+  }
+  try {
+    estimator->Start(std::nullopt);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: estimator.start_from_truth is false: {}",
+                                 PlaceOfStart(scenario.resolved), error.what()));
+  }
   return estimator;
 }
 
@@ -74,6 +91,7 @@ std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   RunResult result;
   RunTimings& timings = result.timings;
+  RequireReplaceable(options.output, {"manifest.json"});
   AtomicDirectory output(options.output);
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
   const std::unique_ptr<Estimator> estimator = StartEstimator(scenario, *dive);
@@ -118,6 +136,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
 
 RunTimings RecordScenario(const Scenario& scenario, const RunOptions& options) {
   RunTimings timings;
+  RequireReplaceable(options.output, {"mav0"});
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
   DiveRecorder recorder(*dive, options.output);
   while (true) {

@@ -6,6 +6,7 @@
 #include "scenarios/dataset/tum.h"
 #include "scenarios/scoring/json.h"
 #include "scenarios/scoring/trajectory_score.h"
+#include "sensors_models/base/check.h"
 #include "tools/drydock/commands.h"
 #include "tools/drydock/print_metrics.h"
 
@@ -20,12 +21,28 @@ struct Arguments {
   bool json = false;
 };
 
-int ScoreFiles(const Arguments& arguments) {
+Trajectory ReadPoses(const std::string& file) {
+  Trajectory trajectory = dataset::ReadTum(file);
+  RequireInput(!trajectory.empty(), "{}: holds no poses", file);
+  return trajectory;
+}
+
+score::TrajectoryScore Compare(const Arguments& arguments) {
   score::AssociationOptions association;
   if (arguments.interpolate) association.mode = score::AssociationMode::kInterpolate;
-  const score::TrajectoryScore result = score::ScoreTrajectories(
-      dataset::ReadTum(arguments.truth), dataset::ReadTum(arguments.estimate),
-      score::ParseAlignment(arguments.align), association);
+  const Trajectory truth = ReadPoses(arguments.truth);
+  const Trajectory estimate = ReadPoses(arguments.estimate);
+  try {
+    return score::ScoreTrajectories(truth, estimate, score::ParseAlignment(arguments.align),
+                                    association);
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{} against {}: {}", arguments.estimate, arguments.truth, error.what()));
+  }
+}
+
+int ScoreFiles(const Arguments& arguments) {
+  const score::TrajectoryScore result = Compare(arguments);
   if (arguments.json) {
     fmt::print("{}", score::ToJson(result));
     return kPassed;
