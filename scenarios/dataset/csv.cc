@@ -39,8 +39,7 @@ bool CsvReader::Next() {
 
 double CsvReader::Real(std::size_t column) const {
   const auto value = ParseReal(fields_.at(column));
-  if (!value || std::abs(*value) > kLargest)
-    Fail(column, fmt::format("a number within ±{:g}", kLargest));
+  if (!value || std::abs(*value) > kLargest) Fail(column, kWithinLargest);
   return *value;
 }
 

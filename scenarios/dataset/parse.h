@@ -16,6 +16,7 @@ inline constexpr std::int64_t kLastSecond = 4'600'000'000;
 /// Lengths, rates and accelerations are below this in magnitude: what is larger is a mistake, and
 /// its square might be infinite.
 inline constexpr double kLargest = 1e9;
+inline constexpr std::string_view kWithinLargest = "a number from -1e9 to 1e9";
 
 /// The whole text as a finite number; a leading '+' is allowed.
 std::optional<double> ParseReal(std::string_view text);

@@ -108,6 +108,27 @@ TEST(ParseYaml, RefusesAnchorsThatExplode) {
   EXPECT_THAT(ParseMessage(text), HasSubstr("more than"));
 }
 
+TEST(ParseYaml, RefusesWhatIsNotUtf8) {
+  EXPECT_NO_THROW(ParseYaml("a: \"\xc3\xbc \xe2\x82\xac \xf0\x9f\x90\x9f\"\r\nb:\t1\n", "f.yaml"));
+  EXPECT_NO_THROW(
+      ParseYaml("\xef\xbb\xbf"
+                "a: 1\n",
+                "f.yaml"));  // A byte order mark.
+  for (const std::string_view bad :
+       {std::string_view("\0", 1), std::string_view("\x1b"), std::string_view("\xfc"),
+        std::string_view("\xc3"), std::string_view("\xc3("), std::string_view("\xc0\x80"),
+        std::string_view("\xe2\x82"), std::string_view("\xf8\x88\x80\x80\x80")}) {
+    EXPECT_THAT(ParseMessage("a: 1\nb: " + std::string(bad)), HasSubstr("f.yaml:2: is not UTF-8"))
+        << testing::PrintToString(bad);
+  }
+}
+
+TEST(ParseYaml, RefusesMappingsThatTakeForEver) {
+  std::string text;
+  for (int i = 0; i <= 10'000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  EXPECT_THAT(ParseMessage(text), HasSubstr("f.yaml:10001: a mapping of more than 10000 keys"));
+}
+
 TEST(ParseYaml, RefusesAFileThatIsTooLarge) {
   EXPECT_THAT(ParseMessage("a: " + std::string(1 << 20, 'x')), HasSubstr("larger than"));
 }
