@@ -53,9 +53,8 @@ StampedPose ParsePose(const Fields& fields, const Place& place) {
   std::array<double, kColumns> v{};
   for (std::size_t i = 1; i < kColumns; ++i) {
     const auto value = ParseReal(fields.text[i]);
-    RequireInput(value && std::abs(*value) <= kLargest,
-                 "{}: {} is {}, must be a number within ±{:g}", place.ToString(), kNames[i],
-                 Quoted(fields.text[i]), kLargest);
+    RequireInput(value && std::abs(*value) <= kLargest, "{}: {} is {}, must be {}",
+                 place.ToString(), kNames[i], Quoted(fields.text[i]), kWithinLargest);
     v[i] = *value;
   }
   const Eigen::Quaterniond q(v[7], v[4], v[5], v[6]);
