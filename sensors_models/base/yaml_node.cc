@@ -222,13 +222,14 @@ YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
 
 /// The value that one step of a --set path leads to. Adds a missing key of a mapping, as a mapping
 /// itself unless it is the last: whether it means anything is for the reader to say.
-YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment) {
+YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment,
+               const SourcePlace& place) {
   if (node.kind == YamlNode::Kind::kMap) {
     if (YamlNode* found = node.Find(key)) return *found;
     RequireInput(!key.empty() && key.size() <= kMaxKeyBytes, "--set {}: there is no '{}' at {}",
                  assignment, key, node.place.ToString());
     YamlNode added;
-    added.place = node.place;
+    added.place = place;
     if (!last) added.kind = YamlNode::Kind::kMap;
     return node.members.emplace_back(std::string(key), std::move(added)).second;
   }
@@ -310,10 +311,12 @@ void SetYaml(YamlNode& root, std::string_view assignment) {
                           0};
   std::string_view path = assignment.substr(0, equals);
   YamlNode* node = &root;
-  while (true) {
+  for (int depth = 1;; ++depth) {
+    RequireInput(depth < kMaxDepth, "--set {}: leads deeper than {}", assignment.substr(0, 60),
+                 kMaxDepth);
     const auto dot = path.find('.');
     const bool last = dot == std::string_view::npos;
-    node = &Step(*node, path.substr(0, dot), last, assignment);
+    node = &Step(*node, path.substr(0, dot), last, assignment, place);
     if (last) break;
     path.remove_prefix(dot + 1);
   }

@@ -44,10 +44,14 @@ Rig SmallRig() {
   Rig rig;
   rig.name = "small";
   rig.stereo.rate_hz = 10;
-  for (CameraIntrinsics& camera : rig.stereo.cameras) camera = {16, 16, 20, 20, 8, 8, {}};
-  rig.imu = {100, 1e-4, 1e-3, 1e-6, 1e-5, 1e-3, 1e-2};
-  rig.sonar = {100, {}, 0.5, 0.1, 6, 0.01};
-  rig.depth = {1, {}, 0.01};
+  for (CameraIntrinsics& camera : rig.stereo.cameras)
+    camera = {.width = 16, .height = 16, .fx = 20.0, .fy = 20.0, .cx = 8.0, .cy = 8.0};
+  rig.imu = {.rate_hz = 100.0, .gyro_noise_density = 1e-4, .accel_noise_density = 1e-3};
+  rig.sonar.rate_hz = 100.0;
+  rig.sonar.step_rad = 0.5;
+  rig.sonar.min_range_m = 0.1;
+  rig.sonar.max_range_m = 6.0;
+  rig.depth.rate_hz = 1.0;
   return rig;
 }
 

@@ -157,13 +157,20 @@ TEST(SetYaml, SetsReplacesAndAdds) {
       "e.yaml");
   EXPECT_TRUE(SameTree(root, expected)) << EmitYaml(root);
   EXPECT_THAT(root.Find("a")->Find("x")->place.ToString(), HasSubstr("--set a.x=2.5"));
+  // What was made on the way is the user's doing, too.
+  EXPECT_EQ(root.Find("not")->place.ToString(), "--set not.there.yet=3");
+}
+TEST(SetYaml, RefusesPathsWithoutEnd) {
+  YamlNode root = ParseYaml("a: 1\n", "f.yaml");
+  std::string path = "x";
+  for (int i = 0; i < 40; ++i) path += ".x";
+  EXPECT_THAT(MessageOf([&] { SetYaml(root, path + "=1"); }), HasSubstr("deeper than 32"));
 }
 
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
-  for (const char* bad :
-       {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
-        "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
+  for (const char* bad : {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
+                          "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
     EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
   }
 }

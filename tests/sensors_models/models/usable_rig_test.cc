@@ -1,8 +1,10 @@
 #include "sensors_models/models/usable_rig.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,16 +38,17 @@ TEST(UsableRig, FindsWhereTheDistortionFolds) {
 TEST(UsableRig, NamesFileAndLine) {
   EXPECT_NO_THROW(LoadUsableRig(FindRig("svin2_v3")));
   std::string text = ReadFile(FindRig("svin2_v3"));
-  const std::string radtan = "radtan: [-0.158, 0.101, 0.0, 0.0]";  // Of the right camera, line 22.
-  text.replace(text.find(radtan), radtan.size(), "radtan: [-1.5, 0, 0, 0]");
+  const auto right = text.rfind("radtan:");
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(right), '\n');
+  text.replace(right, text.find('\n', right) - right, "radtan: [-1.5, 0, 0, 0]");
   const auto file = std::filesystem::path(testing::TempDir()) / "drydock_usable_rig.yaml";
   WriteFileAtomically(file, text);
   try {
     LoadUsableRig(file);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                testing::HasSubstr("drydock_usable_rig.yaml:22: stereo.cameras.1.radtan"));
+    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format(
+                                  "drydock_usable_rig.yaml:{}: stereo.cameras.1.radtan", line)));
   }
   std::filesystem::remove(file);
 }
