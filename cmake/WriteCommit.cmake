@@ -5,7 +5,7 @@ if(failed)
   set(commit unknown)
 endif()
 file(CONFIGURE OUTPUT "${OUTPUT}" CONTENT [=[
-#include "scenarios/runner/version.h"
+#include "scenarios/version/version.h"
 
 namespace drydock {
 

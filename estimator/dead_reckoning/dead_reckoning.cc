@@ -47,6 +47,8 @@ void DeadReckoning::AddImu(Time t, const ImuSample& sample) {
 
 void DeadReckoning::AddDepth(Time t, const DepthSample& sample) {
   if (!std::isfinite(sample.depth)) return;
+  // How the body moved before the known instant is not known.
+  if (odometry_.empty() && t < state_.t) return;
   // A reading is older than the state by its latency at most: carry it over by the vertical speed.
   const double age = (state_.t - t).Seconds();
   const double depth_now = sample.depth - state_.v_W.z() * age;

@@ -1,5 +1,6 @@
 #include "scenarios/dataset/csv.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ bool CsvReader::Next() {
 
 double CsvReader::Real(std::size_t column) const {
   const auto value = ParseReal(fields_.at(column));
-  if (!value) Fail(column, "a finite number");
+  if (!value || std::abs(*value) > kLargest) Fail(column, kWithinLargest);
   return *value;
 }
 
@@ -50,7 +51,8 @@ std::int64_t CsvReader::Integer(std::size_t column) const {
 
 Time CsvReader::Stamp(std::size_t column) const {
   const auto value = ParseInteger(fields_.at(column));
-  if (!value || *value < 0) Fail(column, "a time in whole nanoseconds, not negative");
+  if (!value || *value < 0 || *value > kLastSecond * kNanosecondsPerSecond)
+    Fail(column, fmt::format("a time in whole nanoseconds from 0 to {}e9", kLastSecond));
   return {*value};
 }
 

@@ -27,9 +27,10 @@ class CsvReader {
 
   /// How many fields the row has.
   std::size_t size() const { return fields_.size(); }
+  /// A number within ±kLargest.
   double Real(std::size_t column) const;
   std::int64_t Integer(std::size_t column) const;
-  /// A time in whole nanoseconds, not negative.
+  /// A time in whole nanoseconds from 0 to kLastSecond.
   Time Stamp(std::size_t column) const;
   /// The same, later than the one that this was called for last.
   Time IncreasingStamp(std::size_t column);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -27,6 +28,7 @@ constexpr std::array<const char*, 4> kSensorNames = {kImuFolder, kCameraFolders[
 constexpr std::array<int, 4> kOrderAtEqualTimes = {0, 3, 1, 2};
 
 fs::path FindRoot(const fs::path& folder) {
+  RequireInput(fs::exists(folder), "{}: no such folder", folder.string());
   if (fs::is_directory(folder / kRoot)) return folder / kRoot;
   RequireInput(fs::is_directory(folder / kImuFolder),
                "{}: no recording in EuRoC's layout: neither '{}' nor '{}' is in it",
@@ -56,8 +58,30 @@ std::map<Time, std::string> ReadImageNames(const fs::path& folder) {
   return names;
 }
 
-cv::Mat LoadImage(const fs::path& path) {
+/// Width and height as the head of a PNG has them; nothing for other formats.
+std::optional<cv::Size> SizeOfPng(const std::string& bytes) {
+  constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+  constexpr std::size_t kWidthAt = 16;  // Behind the signature, a chunk's length and its name.
+  if (!bytes.starts_with(kSignature) || bytes.size() < kWidthAt + 8) return std::nullopt;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+    return static_cast<int>(std::min<std::uint32_t>(value, std::numeric_limits<int>::max()));
+  };
+  return cv::Size(number(kWidthAt), number(kWidthAt + 4));
+}
+
+void RequireSize(const cv::Size& size, const CameraIntrinsics& camera, const fs::path& path) {
+  RequireInput(size.width == camera.width && size.height == camera.height,
+               "{}: is {}x{} px, must be {}x{} as sensor.yaml says", path.string(), size.width,
+               size.height, camera.width, camera.height);
+}
+
+cv::Mat LoadImage(const fs::path& path, const CameraIntrinsics& camera) {
   const std::string bytes = ReadFile(path);
+  // Before it is unpacked: a few bytes can claim gigabytes.
+  if (const auto size = SizeOfPng(bytes)) RequireSize(*size, camera, path);
   cv::Mat image;
   try {
     const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
@@ -183,6 +207,8 @@ void EurocReader::OrderByArrival(const fs::path& path) {
     by_stamp.erase(found);
     entry.t_arrival = csv.Stamp(1);
     if (entry.t_arrival < entry.t) csv.Fail(1, "at least the timestamp");
+    if (!ordered.empty() && entry.t_arrival < ordered.back().t_arrival)
+      csv.Fail(1, fmt::format("at least the {} before it", ordered.back().t_arrival.ns));
     const std::int64_t index = csv.Integer(3);
     if (auto* files = std::get_if<FrameFiles>(&entry.reading)) files->index = index;
     ordered.push_back(std::move(entry));
@@ -200,15 +226,19 @@ StereoFrame EurocReader::Load(const FrameFiles& files) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const fs::path path = mav0_ / kCameraFolders[i] / kDataFolder / files.names[i];
     const CameraIntrinsics& camera = rig_.stereo.cameras[i];
-    frame.images[i] = LoadImage(path);
+    frame.images[i] = LoadImage(path, camera);
     const cv::Mat& image = frame.images[i];
     RequireInput(image.type() == CV_8UC1 || image.type() == CV_8UC3,
                  "{}: must be an 8-bit grey or colour image", path.string());
-    RequireInput(image.cols == camera.width && image.rows == camera.height,
-                 "{}: is {}x{} px, must be {}x{} as sensor.yaml says", path.string(), image.cols,
-                 image.rows, camera.width, camera.height);
+    RequireSize(image.size(), camera, path);
   }
   return frame;
+}
+
+bool EurocReader::HasImuSamples() const {
+  return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+    return std::holds_alternative<ImuSample>(entry.reading);
+  });
 }
 
 Measurement EurocReader::Read(std::size_t i) const {
@@ -246,7 +276,8 @@ std::vector<StampedTruth> EurocReader::ReadTruth() const {
     row.state.T_WI = Pose(q, ReadVector(csv, 1));
     RequireInput(csv.size() == kPoseColumns || csv.size() == columns.size(),
                  "{}: {} fields, must be 8 or 17", csv.Place(), csv.size());
-    if (csv.size() > kPoseColumns) {
+    row.pose_only = csv.size() == kPoseColumns;
+    if (!row.pose_only) {
       row.state.v_W = ReadVector(csv, 8);
       row.state.gyro_bias = ReadVector(csv, 11);
       row.state.accel_bias = ReadVector(csv, 14);

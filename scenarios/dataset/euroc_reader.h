@@ -29,9 +29,14 @@ class EurocReader {
   explicit EurocReader(const std::filesystem::path& folder, const Warn& warn = {});
 
   const Rig& rig() const { return rig_; }
+  /// A file of the recording ("imu0/data.csv"), for messages.
+  std::string FileName(const std::string& file) const { return (mav0_ / file).string(); }
 
   /// How many measurements there are.
   std::size_t size() const { return entries_.size(); }
+  bool HasImuSamples() const;
+  /// When the robot had the i-th; never decreases.
+  Time ArrivalOf(std::size_t i) const { return entries_.at(i).t_arrival; }
   /// The i-th; loads images. InputError for an image that cannot be read or has the wrong size.
   Measurement Read(std::size_t i) const;
 

@@ -1,8 +1,8 @@
 #include "scenarios/dataset/euroc_writer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -77,11 +77,23 @@ EurocWriter::EurocWriter(Rig rig, const fs::path& target)
 
 fs::path EurocWriter::root() const { return directory_.path() / kRoot; }
 
+void EurocWriter::RequireFree(const std::string& folder, Time t) const {
+  const auto table = tables_.find(folder);
+  RequireInput(table == tables_.end() || !table->second.contains(t),
+               "{}: a second row at {} ns, must have one a time", folder, t.ns);
+}
+
+void EurocWriter::AddRow(const std::string& folder, Time t, std::string row) {
+  RequireFree(folder, t);
+  tables_[folder].emplace(t, std::move(row));
+}
+
 void EurocWriter::Add(const Measurement& measurement) {
   const Time t = measurement.t;
   Check(t.ns >= 0 && measurement.t_arrival >= t, "a measurement of {} ns that arrives at {} ns",
         t.ns, measurement.t_arrival.ns);
   const std::string sensor = std::visit(SensorName(), measurement.reading);
+  RequireFree(sensor, t);
   const auto* frame = std::get_if<StereoFrame>(&measurement.reading);
   const auto index =
       frame != nullptr ? frame->index : static_cast<std::int64_t>(tables_[sensor].size());
@@ -91,8 +103,8 @@ void EurocWriter::Add(const Measurement& measurement) {
 }
 
 void EurocWriter::AddReading(Time t, const ImuSample& sample) {
-  tables_[kImuFolder].emplace_back(
-      t, fmt::format("{},{}", Join(sample.angular_rate), Join(sample.specific_force)));
+  AddRow(kImuFolder, t,
+         fmt::format("{},{}", Join(sample.angular_rate), Join(sample.specific_force)));
 }
 
 void EurocWriter::AddReading(Time t, const StereoFrame& frame) {
@@ -105,53 +117,50 @@ void EurocWriter::AddReading(Time t, const StereoFrame& frame) {
           "an image of {}x{} px from a camera of {}x{} px", image.cols, image.rows, camera.width,
           camera.height);
     WritePng(root() / kCameraFolders[i] / kDataFolder / ImageName(t), image);
-    tables_[kCameraFolders[i]].emplace_back(t, ImageName(t));
+    AddRow(kCameraFolders[i], t, ImageName(t));
   }
 }
 
 void EurocWriter::AddReading(Time t, const SonarPing& ping) {
-  tables_[kSonarFolder].emplace_back(
-      t, fmt::format("{},{},{},{}", ping.range, ping.head_angle, ping.intensity, ping.first_range));
+  AddRow(kSonarFolder, t,
+         fmt::format("{},{},{},{}", ping.range, ping.head_angle, ping.intensity, ping.first_range));
   if (ping.profile.empty()) return;
   Check(std::ssize(ping.profile) == rig_.sonar.bins,
         "an echo profile of {} bins from a sonar of {}", ping.profile.size(), rig_.sonar.bins);
-  tables_[kSonarProfileFolder].emplace_back(t, fmt::format("{}", fmt::join(ping.profile, ",")));
+  AddRow(kSonarProfileFolder, t, fmt::format("{}", fmt::join(ping.profile, ",")));
 }
 
 void EurocWriter::AddReading(Time t, const DepthSample& sample) {
-  tables_[kPressureFolder].emplace_back(t, fmt::format("{}", sample.depth));
+  AddRow(kPressureFolder, t, fmt::format("{}", sample.depth));
 }
 
 void EurocWriter::AddTruth(Time t, const TruthState& state) {
   const auto& q = state.T_WI.q();
-  tables_[kTruthFolder].emplace_back(
-      t, fmt::format("{},{},{},{},{},{},{},{}", Join(state.T_WI.p()), q.w(), q.x(), q.y(), q.z(),
+  AddRow(kTruthFolder, t,
+         fmt::format("{},{},{},{},{},{},{},{}", Join(state.T_WI.p()), q.w(), q.x(), q.y(), q.z(),
                      Join(state.v_W), Join(state.gyro_bias), Join(state.accel_bias)));
 }
 
 void EurocWriter::AddSonarTruth(Time t, double range, std::string_view hit) {
-  tables_[kSonarTruthFolder].emplace_back(t, fmt::format("{},{}", range, PlainName(hit)));
+  AddRow(kSonarTruthFolder, t, fmt::format("{},{}", range, PlainName(hit)));
 }
 
 void EurocWriter::AddDepthImage(std::size_t camera, Time t, const cv::Mat& depth) {
   Check(depth.type() == CV_32FC1, "a depth image of OpenCV type {}, must be CV_32FC1",
         depth.type());
   const char* folder = kDepthImageFolders.at(camera);
+  RequireFree(folder, t);
   WritePng(root() / folder / kDataFolder / ImageName(t), ToMillimetres(depth));
-  tables_[folder].emplace_back(t, ImageName(t));
+  AddRow(folder, t, ImageName(t));
 }
 
 void EurocWriter::WriteTable(const std::string& folder, std::string_view header,
                              std::string_view sheet) {
   const auto table = tables_.find(folder);
   if (table == tables_.end()) return;
-  std::vector<Row>& rows = table->second;
-  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.first < b.first; });
   std::string out = fmt::format("{}\n", header);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Check(i == 0 || rows[i - 1].first < rows[i].first, "{} has two rows at {} ns", folder,
-          rows[i].first.ns);
-    fmt::format_to(std::back_inserter(out), "{},{}\n", rows[i].first.ns, rows[i].second);
+  for (const auto& [t, row] : table->second) {
+    fmt::format_to(std::back_inserter(out), "{},{}\n", t.ns, row);
   }
   WriteFileAtomically(root() / folder / kDataFile, out);
   if (!sheet.empty()) WriteFileAtomically(root() / folder / kSensorFile, sheet);

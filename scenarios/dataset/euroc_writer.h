@@ -6,8 +6,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
@@ -28,8 +26,10 @@ class EurocWriter {
   /// `target` will hold `mav0/`; its parent is made if missing.
   EurocWriter(Rig rig, const std::filesystem::path& target);
 
-  /// Measurements in the order in which the robot has them. Stamps are not negative and no sensor
-  /// gives two at the same time. Images are written at once: 8-bit grey or BGR, as they are.
+  /// Measurements in the order in which the robot has them; stamps are not negative. InputError for
+  /// a second one of the same sensor and time, of which EuRoC's tables can hold but one; nothing of
+  /// it is kept. Images are written at once: 8-bit grey or BGR, as they are. What follows refuses
+  /// repeated times likewise.
   void Add(const Measurement& measurement);
   void AddTruth(Time t, const TruthState& state);
   /// The true range of the ping at `t` [m] (0 where it meets nothing) and what it hit.
@@ -41,8 +41,10 @@ class EurocWriter {
   void Commit(AtomicDirectory::IfExists if_exists = AtomicDirectory::IfExists::kReplace);
 
  private:
-  using Row = std::pair<Time, std::string>;
+  using Table = std::map<Time, std::string>;
 
+  void AddRow(const std::string& folder, Time t, std::string row);
+  void RequireFree(const std::string& folder, Time t) const;
   void AddReading(Time t, const ImuSample& sample);
   void AddReading(Time t, const StereoFrame& frame);
   void AddReading(Time t, const SonarPing& ping);
@@ -52,7 +54,7 @@ class EurocWriter {
 
   Rig rig_;
   AtomicDirectory directory_;
-  std::map<std::string, std::vector<Row>> tables_;  ///< By the sensor's folder.
+  std::map<std::string, Table> tables_;  ///< By the sensor's folder.
   std::string arrivals_;
 };
 

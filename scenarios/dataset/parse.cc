@@ -83,7 +83,8 @@ std::optional<Time> ParseSeconds(std::string_view text) {
   std::uint64_t ns = 0;
   for (std::int64_t i = 0; i < whole; ++i) ns = 10 * ns + static_cast<std::uint64_t>(digit(i));
   if (digit(whole) >= 5) ++ns;
-  constexpr std::uint64_t kMaxNanoseconds = 9'200'000'000'000'000'000U;
+  constexpr auto kMaxNanoseconds =
+      static_cast<std::uint64_t>(kLastSecond) * static_cast<std::uint64_t>(kNanosecondsPerSecond);
   if (ns > kMaxNanoseconds) return std::nullopt;
   const auto magnitude = static_cast<std::int64_t>(ns);
   return Time{decimal->negative ? -magnitude : magnitude};

@@ -10,6 +10,14 @@
 
 namespace drydock::dataset {
 
+/// Times lie within ±4.6e9 s (the year 2115), so that the span between any two fits into 64 bits of
+/// nanoseconds.
+inline constexpr std::int64_t kLastSecond = 4'600'000'000;
+/// Lengths, rates and accelerations are below this in magnitude: what is larger is a mistake, and
+/// its square might be infinite.
+inline constexpr double kLargest = 1e9;
+inline constexpr std::string_view kWithinLargest = "a number from -1e9 to 1e9";
+
 /// The whole text as a finite number; a leading '+' is allowed.
 std::optional<double> ParseReal(std::string_view text);
 
@@ -17,7 +25,7 @@ std::optional<double> ParseReal(std::string_view text);
 std::optional<std::int64_t> ParseInteger(std::string_view text);
 
 /// Decimal seconds ("1600000000.1036668", "1.6e9") as the nearest nanosecond, without rounding to a
-/// double on the way. Nothing for what is not a number or beyond 9.2e9 s.
+/// double on the way. Nothing for what is not a number or beyond kLastSecond.
 std::optional<Time> ParseSeconds(std::string_view text);
 
 /// The exact decimal seconds of a time, with nine digits behind the point.

@@ -19,6 +19,7 @@ struct TruthState {
 struct StampedTruth {
   Time t;
   TruthState state;
+  bool pose_only = false;  ///< Velocity and biases are not known and stand at zero.
 };
 
 }  // namespace drydock::dataset

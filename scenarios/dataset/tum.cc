@@ -48,13 +48,13 @@ StampedPose ParsePose(const Fields& fields, const Place& place) {
                "{}: {} values, must be 8 between blanks: t tx ty tz qx qy qz qw", place.ToString(),
                fields.count);
   const auto time = ParseSeconds(fields.text[0]);
-  RequireInput(time.has_value(), "{}: t is {}, must be a number of seconds within ±9.2e9",
-               place.ToString(), Quoted(fields.text[0]));
+  RequireInput(time.has_value(), "{}: t is {}, must be a number of seconds within ±{}",
+               place.ToString(), Quoted(fields.text[0]), kLastSecond);
   std::array<double, kColumns> v{};
   for (std::size_t i = 1; i < kColumns; ++i) {
     const auto value = ParseReal(fields.text[i]);
-    RequireInput(value.has_value(), "{}: {} is {}, must be a finite number", place.ToString(),
-                 kNames[i], Quoted(fields.text[i]));
+    RequireInput(value && std::abs(*value) <= kLargest, "{}: {} is {}, must be {}",
+                 place.ToString(), kNames[i], Quoted(fields.text[i]), kWithinLargest);
     v[i] = *value;
   }
   const Eigen::Quaterniond q(v[7], v[4], v[5], v[6]);

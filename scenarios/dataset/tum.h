@@ -10,7 +10,7 @@
 
 namespace drydock::dataset {
 
-/// Reads strictly: eight finite numbers a line between blanks, times within ±9.2e9 s and
+/// Reads strictly: eight numbers within ±1e9 a line between blanks, times within ±4.6e9 s and
 /// increasing, quaternions of length 1 to within 1e-3 (they are normalised). Empty lines and lines
 /// that begin with '#' are skipped; CRLF is tolerated. Times are read to the nanosecond. InputError
 /// "file:line: …" else. An empty file is an empty trajectory.

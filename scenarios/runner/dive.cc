@@ -4,13 +4,22 @@
 #include <set>
 
 #include "scenes/scene.h"
+#include "sensors_models/base/check.h"
 #include "sensors_models/base/resources.h"
+#include "sensors_models/models/usable_rig.h"
 #include "sim/world/path_clearance.h"
 
 namespace drydock {
 namespace {
 
+/// A path that would be swum for longer than this is a mistake, and takes ages to check.
+constexpr double kLongestDive = 1e5;  // [s]
+
 Time EndOf(const Scenario& scenario, const sim::Motion& motion) {
+  RequireInput(motion.End().Seconds() <= kLongestDive,
+               "{}: the path takes {:.0f} s at {} m/s, must be at most {:.0f} s",
+               scenario.motion.waypoints.back().place, motion.End().Seconds(),
+               scenario.motion.speed_m_s, kLongestDive);
   if (!scenario.duration_s) return motion.End();
   return std::min(motion.End(), Time::FromSeconds(*scenario.duration_s));
 }
@@ -18,14 +27,17 @@ Time EndOf(const Scenario& scenario, const sim::Motion& motion) {
 }  // namespace
 
 Dive::Dive(const Scenario& scenario, sim::RendererBackend backend)
-    : rig_(LoadRig(FindRig(scenario.rig))),
+    : rig_(LoadUsableRig(FindRig(scenario.rig))),
       motion_(scenario.motion, scenario.seed),
       end_(EndOf(scenario, motion_)),
       world_(scenes::PrepareScene(scenario.scene.name, scenario.scene.seed, CacheDirectory())),
       rays_(world_),
       suite_(motion_, world_, rays_, rig_, scenario.sensors, scenario.water, backend, scenario.seed,
              end_) {
-  sim::RequireClearPath(motion_, world_, rays_, scenario.motion.clearance_m);
+  sim::RequireClearPath(motion_, world_, rays_, scenario.motion.clearance_m, [&](Time t) {
+    return fmt::format("{}, near this way-point",
+                       scenario.motion.waypoints[motion_.NearestWaypoint(t)].place);
+  });
 }
 
 std::string Dive::RendererName() const {

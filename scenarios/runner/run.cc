@@ -1,35 +1,23 @@
 #include "scenarios/runner/run.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
 #include "estimator/registry/registry.h"
+#include "scenarios/results/event_log.h"
+#include "scenarios/results/stopwatch.h"
 #include "scenarios/runner/dive.h"
 #include "scenarios/runner/dive_recorder.h"
 #include "scenarios/runner/run_files.h"
-#include "scenarios/runner/version.h"
+#include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
+#include "sensors_models/models/usable_rig.h"
 
 namespace drydock {
 namespace {
 
 constexpr std::size_t kSheetFrames = 8;
-
-/// Adds the wall-clock time of its own life to a sum. Timings are reported, never used.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& seconds_;
-  Clock::time_point start_;
-};
 
 std::unique_ptr<Dive> StartDive(const Scenario& scenario, const RunOptions& options,
                                 RunTimings& timings) {
@@ -63,40 +51,6 @@ class FrameSampler {
   std::vector<report::SheetFrame> frames_;
 };
 
-std::string_view Describe(TrackingStatus status) {
-  switch (status) {
-    case TrackingStatus::kInitialising:
-      return "initialising";
-    case TrackingStatus::kTracking:
-      return "tracking";
-    case TrackingStatus::kDeadReckoning:
-      return "dead reckoning";
-    case TrackingStatus::kLost:
-      return "lost";
-  }
-  return "unknown";
-}
-
-/// Notes each change of the estimator's status or map.
-class EventLog {
- public:
-  void Look(Time t, const std::optional<NavEstimate>& estimate) {
-    const TrackingStatus status = estimate ? estimate->status : TrackingStatus::kInitialising;
-    const int map_id = estimate ? estimate->map_id : 0;
-    if (!events_.empty() && status == status_ && map_id == map_id_) return;
-    events_.push_back(fmt::format("{:.3f} s: {}, map {}", t.Seconds(), Describe(status), map_id));
-    status_ = status;
-    map_id_ = map_id;
-  }
-
-  std::vector<std::string> Take() { return std::move(events_); }
-
- private:
-  TrackingStatus status_ = TrackingStatus::kInitialising;
-  int map_id_ = 0;
-  std::vector<std::string> events_;
-};
-
 score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
   score::RunInfo info;
   info.scenario = scenario.name;
@@ -108,11 +62,27 @@ score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
   return info;
 }
 
+/// Where the scenario says, or ought to, whether the estimator knows its start.
+std::string PlaceOfStart(const YamlNode& scenario) {
+  const YamlNode* estimator = scenario.Find("estimator");
+  if (estimator == nullptr) return scenario.place.ToString();
+  const YamlNode* start = estimator->Find("start_from_truth");
+  return (start == nullptr ? estimator : start)->place.ToString();
+}
+
 std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& dive) {
-  const Rig believed = LoadRig(FindRig(scenario.estimator.rig));
+  const Rig believed = LoadUsableRig(FindRig(scenario.estimator.rig));
   std::unique_ptr<Estimator> estimator = FindEstimator(scenario.estimator.name).make(believed);
-  estimator->Start(scenario.estimator.start_from_truth ? std::optional(dive.InitialState())
-                                                       : std::nullopt);
+  if (scenario.estimator.start_from_truth) {
+    estimator->Start(dive.InitialState());
+    return estimator;
+  }
+  try {
+    estimator->Start(std::nullopt);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: estimator.start_from_truth is false: {}",
+                                 PlaceOfStart(scenario.resolved), error.what()));
+  }
   return estimator;
 }
 
@@ -121,6 +91,7 @@ std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   RunResult result;
   RunTimings& timings = result.timings;
+  RequireReplaceable(options.output, {"manifest.json"});
   AtomicDirectory output(options.output);
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
   const std::unique_ptr<Estimator> estimator = StartEstimator(scenario, *dive);
@@ -154,11 +125,9 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
     estimator->Finish();
   }
 
-  const RunFiles files{
-      dive->Truth(), estimator->Odometry(), estimator->Corrected(), estimator->Loops(),
-      log.Take(),    sampler.Take()};
-  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.odometry,
-                                  files.corrected, scenario.criteria);
+  const RunFiles files{dive->Truth(), CollectResults(*estimator, log.Take()), sampler.Take()};
+  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.results.odometry,
+                                  files.results.corrected, scenario.criteria);
   WriteRunFiles(output.path(), scenario, *dive, files, result);
   if (recorder) recorder->Commit();
   output.Commit(AtomicDirectory::IfExists::kReplace);
@@ -167,6 +136,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
 
 RunTimings RecordScenario(const Scenario& scenario, const RunOptions& options) {
   RunTimings timings;
+  RequireReplaceable(options.output, {"mav0"});
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
   DiveRecorder recorder(*dive, options.output);
   while (true) {

@@ -4,11 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "scenarios/dataset/tum.h"
-#include "scenarios/report/trajectory_plot.h"
-#include "scenarios/runner/version.h"
-#include "scenarios/scoring/alignment.h"
-#include "scenarios/scoring/json.h"
+#include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 
@@ -51,56 +47,23 @@ Json Timings(const RunTimings& timings) {
   return json;
 }
 
-std::string LoopsCsv(const std::vector<LoopClosure>& loops) {
-  std::string csv =
-      "#timestamp_now [ns],timestamp_then [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z "
-      "[]\n";
-  for (const LoopClosure& loop : loops) {
-    const Eigen::Vector3d& p = loop.T_then_now.p();
-    const Eigen::Quaterniond& q = loop.T_then_now.q();
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", loop.t_now.ns, loop.t_then.ns, p.x(), p.y(),
-                       p.z(), q.w(), q.x(), q.y(), q.z());
-  }
-  return csv;
-}
-
-/// `trajectory` where the scorecard's alignment puts it upon the truth.
-Trajectory Aligned(Trajectory trajectory, const score::Scorecard& card) {
-  if (!card.alignment) return trajectory;
-  for (StampedPose& pose : trajectory) pose.T_WI = *card.alignment * pose.T_WI;
-  return trajectory;
-}
-
 }  // namespace
 
 std::string ConfigHash(const Scenario& scenario) {
   std::string text = EmitYaml(scenario.resolved);
   for (const std::string& rig : {scenario.rig, scenario.estimator.rig})
     text += ReadFile(FindRig(rig));
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
+  return HashText(text);
 }
 
 void WriteRunFiles(const std::filesystem::path& folder, const Scenario& scenario, const Dive& dive,
                    const RunFiles& files, const RunResult& result) {
-  dataset::WriteTum(folder / "truth.tum", files.truth);
-  dataset::WriteTum(folder / "odometry.tum", files.odometry);
-  dataset::WriteTum(folder / "trajectory.tum", files.corrected);
-  WriteFileAtomically(folder / "loops.csv", LoopsCsv(files.loops));
-  std::string events;
-  for (const std::string& event : files.events) events += event + "\n";
-  WriteFileAtomically(folder / "events.log", events);
+  WriteResults(folder, files.results);
   WriteJson(folder / "manifest.json", Manifest(scenario, dive));
   WriteJson(folder / "timings.json", Timings(result.timings));
-  WriteFileAtomically(folder / "scorecard.json", score::ToJson(result.scorecard));
-
   const std::string title =
       fmt::format("{}, seed {}: {}", scenario.name, scenario.seed, scenario.estimator.name);
-  WritePng(folder / "trajectory.png",
-           report::DrawTrajectories(
-               title, files.truth,
-               {{scenario.estimator.name, Aligned(files.corrected, result.scorecard)}}));
+  WriteScore(folder, title, files.truth, files.results.corrected, result.scorecard);
   if (!files.frames.empty())
     WritePng(folder / "frames.png", report::DrawContactSheet(title, files.frames));
 }

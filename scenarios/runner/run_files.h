@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "estimator/interface/estimator.h"
 #include "scenarios/report/contact_sheet.h"
+#include "scenarios/results/result_files.h"
 #include "scenarios/runner/dive.h"
 #include "scenarios/runner/run.h"
 
@@ -18,10 +18,7 @@ std::string ConfigHash(const Scenario& scenario);
 /// All but scorecard and timings of a run, ready to be written.
 struct RunFiles {
   Trajectory truth;
-  Trajectory odometry;
-  Trajectory corrected;
-  std::vector<LoopClosure> loops;
-  std::vector<std::string> events;
+  Results results;
   std::vector<report::SheetFrame> frames;
 };
 

@@ -26,12 +26,27 @@ SceneChoice ReadScene(YamlReader& yaml) {
   return scene;
 }
 
+/// The name of a rig that is there. A file of one's own is given by its path.
+std::string ReadRigName(YamlReader& yaml, std::string_view key) {
+  std::string name = yaml.Text(key);
+  if (name.ends_with(".yaml")) {
+    if (!std::filesystem::exists(name)) yaml.Fail(key, "a file that is there");
+    return name;
+  }
+  const std::vector<std::string> known = KnownRigs();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    yaml.Fail(key, fmt::format("one of {}, or a path that ends in .yaml", fmt::join(known, ", ")));
+  }
+  return name;
+}
+
 EstimatorChoice ReadEstimator(YamlReader& yaml) {
   EstimatorChoice estimator;
   std::vector<std::string> known;
   for (const EstimatorEntry& entry : Estimators()) known.emplace_back(entry.name);
   estimator.name = yaml.Choice("name", known, estimator.name);
-  estimator.rig = yaml.Text("rig", estimator.rig);
+  if (yaml.Has("rig")) estimator.rig = ReadRigName(yaml, "rig");
+  yaml.Skip("rig");  // Also where it is missing: messages list it among the known keys.
   estimator.start_from_truth = yaml.Boolean("start_from_truth", estimator.start_from_truth);
   return estimator;
 }
@@ -43,7 +58,7 @@ Scenario ReadScenario(const YamlNode& root, const std::string& name) {
     Scenario read;
     read.summary = yaml.Text("summary");
     yaml.Map("scene", [&](YamlReader& scene) { read.scene = ReadScene(scene); });
-    read.rig = yaml.Text("rig");
+    read.rig = ReadRigName(yaml, "rig");
     yaml.OptionalMap("water", [&](YamlReader& water) { read.water = sim::ReadWater(water); });
     yaml.OptionalMap("sensors",
                      [&](YamlReader& sensors) { read.sensors = sim::ReadSensors(sensors); });

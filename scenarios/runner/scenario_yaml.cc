@@ -16,7 +16,11 @@ YamlNode LoadChain(const std::filesystem::path& path, int depth) {
   if (base == nullptr) return file;
   RequireInput(base->kind == YamlNode::Kind::kScalar && !base->text.empty(),
                "{}: base must be a file's name", base->place.ToString());
-  YamlNode merged = LoadChain(path.parent_path() / base->text, depth + 1);
+  const std::filesystem::path base_path = path.parent_path() / base->text;
+  RequireInput(std::filesystem::is_regular_file(base_path),
+               "{}: base is {}, but there is no such file", base->place.ToString(),
+               base_path.string());
+  YamlNode merged = LoadChain(base_path, depth + 1);
   std::erase_if(file.members,
                 [](const YamlNode::Member& member) { return member.first == "base"; });
   MergeYaml(merged, file);

@@ -1,11 +1,13 @@
 #include "sensors_models/base/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
+#include <fmt/ranges.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -19,6 +21,22 @@ namespace {
 /// The pattern of a name beside `target` for mkstemp and mkdtemp, which make it unique.
 std::string TemporaryPattern(const fs::path& target) {
   return (target.parent_path() / ("." + target.filename().string() + ".part-XXXXXX")).string();
+}
+
+/// Makes the missing folders above `path` and returns the uppermost of them; empty if there was
+/// none to make.
+fs::path MakeParent(const fs::path& path) {
+  fs::path made;
+  std::error_code error;
+  for (fs::path folder = path.parent_path(); !folder.empty() && !fs::exists(folder, error);
+       folder = folder.parent_path()) {
+    made = folder;
+  }
+  error.clear();
+  if (!path.parent_path().empty()) fs::create_directories(path.parent_path(), error);
+  RequireInput(!error, "{}: cannot make the folder: {}", path.parent_path().string(),
+               error.message());
+  return made;
 }
 
 /// A new folder beside `target`, readable by everybody as an ordinary one.
@@ -49,22 +67,21 @@ fs::path WithoutTrailingSlash(const fs::path& path) {
   return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
-void MakeParent(const fs::path& path) {
-  std::error_code error;
-  if (!path.parent_path().empty()) fs::create_directories(path.parent_path(), error);
-  RequireInput(!error, "{}: cannot make the folder: {}", path.parent_path().string(),
-               error.message());
-}
-
 }  // namespace
 
 std::string ReadFile(const fs::path& path, std::size_t max_bytes) {
   std::error_code error;
-  RequireInput(fs::is_regular_file(path, error), "{}: no such file", path.string());
+  const fs::file_type type = fs::status(path, error).type();
+  RequireInput(type != fs::file_type::not_found, "{}: no such file", path.string());
+  RequireInput(type == fs::file_type::regular, "{}: {}", path.string(),
+               type == fs::file_type::directory ? "is a folder, must be a file"
+               : error                          ? "cannot be read: " + error.message()
+                                                : "is no ordinary file");
   const auto size = fs::file_size(path, error);
   RequireInput(!error && size <= max_bytes, "{}: larger than the {} bytes allowed", path.string(),
                max_bytes);
   std::ifstream stream(path, std::ios::binary);
+  RequireInput(stream.is_open(), "{}: cannot be read: {}", path.string(), std::strerror(errno));
   std::string content(size, '\0');
   stream.read(content.data(), static_cast<std::streamsize>(size));
   RequireInput(stream.gcount() == static_cast<std::streamsize>(size), "{}: cannot be read",
@@ -89,13 +106,32 @@ void WriteFileAtomically(const fs::path& path, std::string_view content) {
 }
 
 AtomicDirectory::AtomicDirectory(const fs::path& target) : target_(WithoutTrailingSlash(target)) {
-  MakeParent(target_);
+  std::error_code ignored;
+  RequireInput(!fs::exists(target_, ignored) || fs::is_directory(target_, ignored),
+               "{}: is a file, must be a folder or free", target_.string());
+  made_parent_ = MakeParent(target_);
   temporary_ = MakeTemporaryFolder(target_);
 }
 
 AtomicDirectory::~AtomicDirectory() {
-  std::error_code ignored;
-  if (!committed_) fs::remove_all(temporary_, ignored);
+  if (committed_) return;
+  std::error_code error;
+  fs::remove_all(temporary_, error);
+  if (made_parent_.empty()) return;
+  // Folders above that were made for this one go too, as far as nobody else uses them.
+  for (fs::path folder = target_.parent_path();
+       fs::remove(folder, error) && folder != made_parent_;)
+    folder = folder.parent_path();
+}
+
+void RequireReplaceable(const fs::path& folder, const std::vector<std::string>& marks) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return;
+  const bool ours = std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) {
+    return fs::exists(folder / mark, error);
+  });
+  RequireInput(ours, "{}: holds other things (no {}): remove it or name another folder",
+               folder.string(), fmt::join(marks, ", no "));
 }
 
 void AtomicDirectory::Commit(IfExists if_exists) {

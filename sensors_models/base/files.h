@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace drydock {
 
@@ -15,8 +16,12 @@ std::string ReadFile(const std::filesystem::path& path,
 /// InputError if that fails, leaving nothing behind.
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view content);
 
+/// InputError if `folder` is there, is not empty and holds none of the names in `marks`: for output
+/// folders, which are replaced as a whole, so that a mistaken name destroys nothing.
+void RequireReplaceable(const std::filesystem::path& folder, const std::vector<std::string>& marks);
+
 /// A folder that is filled out of sight and appears under its name on Commit(). Without Commit()
-/// the destructor removes what was written.
+/// the destructor removes what was written, with the folders above that were made for it.
 class AtomicDirectory {
  public:
   /// What to do if `target` is there already when Commit() is called.
@@ -35,6 +40,7 @@ class AtomicDirectory {
  private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  std::filesystem::path made_parent_;  ///< The uppermost folder that was made; empty if none was.
   bool committed_ = false;
 };
 

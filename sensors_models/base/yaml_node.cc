@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 #include <sstream>
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
@@ -18,6 +20,8 @@ constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
 constexpr int kMaxDepth = 32;
 /// YAML allows keys of 1024 characters, escapes included: shorter ones can be written again.
 constexpr std::size_t kMaxKeyBytes = 128;
+/// Far more than any file of ours has; keys are looked up one by one.
+constexpr std::size_t kMaxKeys = 10'000;
 /// Anchors can make a small text into a huge tree: a tree that is larger than this is refused.
 constexpr int kMaxNodes = 200'000;
 
@@ -58,6 +62,8 @@ class Converter {
       RequireInput(member.first.IsScalar(), "{}: a key must be plain text", place.ToString());
       const std::string& key = member.first.Scalar();
       RequireInput(!key.empty(), "{}: a key must not be empty", place.ToString());
+      RequireInput(to.members.size() < kMaxKeys, "{}: a mapping of more than {} keys",
+                   place.ToString(), kMaxKeys);
       RequireInput(key.size() <= kMaxKeyBytes, "{}: a key must not be longer than {} bytes",
                    place.ToString(), kMaxKeyBytes);
       const YamlNode* earlier = to.Find(key);
@@ -179,6 +185,32 @@ YAML::Node LoadDocument(std::string_view text, const std::string& place) {
   return count == 0 ? YAML::Node(YAML::NodeType::Undefined) : YAML::Load(ended);
 }
 
+/// How many bytes the UTF-8 character takes that `text` begins with; 0 if it is none, or one that a
+/// text does not have.
+std::size_t LengthOfCharacter(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (length == 0 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  return length;
+}
+
+/// The line, from 1, of the first byte that no UTF-8 text has; nothing in a text.
+std::optional<int> FindNotText(std::string_view text) {
+  int line = 1;
+  while (!text.empty()) {
+    const std::size_t length = LengthOfCharacter(text);
+    if (length == 0) return line;
+    if (text.front() == '\n') ++line;
+    text.remove_prefix(length);
+  }
+  return std::nullopt;
+}
+
 YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
   try {
     return Converter(place.file).Convert(LoadDocument(text, place.ToString()));
@@ -190,13 +222,14 @@ YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
 
 /// The value that one step of a --set path leads to. Adds a missing key of a mapping, as a mapping
 /// itself unless it is the last: whether it means anything is for the reader to say.
-YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment) {
+YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment,
+               const SourcePlace& place) {
   if (node.kind == YamlNode::Kind::kMap) {
     if (YamlNode* found = node.Find(key)) return *found;
     RequireInput(!key.empty() && key.size() <= kMaxKeyBytes, "--set {}: there is no '{}' at {}",
                  assignment, key, node.place.ToString());
     YamlNode added;
-    added.place = node.place;
+    added.place = place;
     if (!last) added.kind = YamlNode::Kind::kMap;
     return node.members.emplace_back(std::string(key), std::move(added)).second;
   }
@@ -235,13 +268,20 @@ YamlNode* YamlNode::Find(std::string_view key) {
 YamlNode ParseYaml(std::string_view text, const std::string& file) {
   const auto name = std::make_shared<const std::string>(file);
   RequireInput(text.size() <= kMaxFileBytes, "{}: larger than {} bytes", file, kMaxFileBytes);
+  if (const auto line = FindNotText(text)) {
+    RequireInput(false, "{}: is not UTF-8 text", SourcePlace{name, *line}.ToString());
+  }
   YamlNode root;
   try {
     root = Converter(name).Convert(LoadDocument(text, file));
+  } catch (const YAML::DeepRecursion& error) {
+    RequireInput(false, "{}: nested deeper than {}",
+                 SourcePlace{name, error.mark.line + 1}.ToString(), kMaxDepth);
   } catch (const YAML::Exception& error) {
     RequireInput(false, "{}: {}", SourcePlace{name, error.mark.line + 1}.ToString(), error.msg);
   }
-  RequireInput(root.kind == YamlNode::Kind::kMap, "{}: must be a mapping of keys to values", file);
+  RequireInput(root.kind == YamlNode::Kind::kMap, "{}: {}must be a mapping of keys to values", file,
+               root.kind == YamlNode::Kind::kNull ? "is empty, " : "");
   return root;
 }
 
@@ -271,10 +311,12 @@ void SetYaml(YamlNode& root, std::string_view assignment) {
                           0};
   std::string_view path = assignment.substr(0, equals);
   YamlNode* node = &root;
-  while (true) {
+  for (int depth = 1;; ++depth) {
+    RequireInput(depth < kMaxDepth, "--set {}: leads deeper than {}", assignment.substr(0, 60),
+                 kMaxDepth);
     const auto dot = path.find('.');
     const bool last = dot == std::string_view::npos;
-    node = &Step(*node, path.substr(0, dot), last, assignment);
+    node = &Step(*node, path.substr(0, dot), last, assignment, place);
     if (last) break;
     path.remove_prefix(dot + 1);
   }

@@ -45,7 +45,7 @@ struct YamlNode {
 
 /// Reads one YAML document whose top is a mapping. InputError with file and line for bad syntax,
 /// duplicate keys, keys that are not plain text, several documents, anchors that nest without end,
-/// or more than 1 MiB.
+/// what is not UTF-8, or more than 1 MiB.
 YamlNode ParseYaml(std::string_view text, const std::string& file);
 YamlNode LoadYaml(const std::filesystem::path& path);
 

@@ -12,12 +12,22 @@
 namespace drydock {
 namespace {
 
+/// What a message shows of a text: not all of a long one, and no bytes that a terminal obeys.
+std::string Shown(std::string_view text) {
+  constexpr std::size_t kMax = 60;
+  std::string shown(text.substr(0, kMax));
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return text.size() > kMax ? shown + "..." : shown;
+}
+
 std::string Describe(const YamlNode& node) {
   switch (node.kind) {
     case YamlNode::Kind::kNull:
       return "nothing";
     case YamlNode::Kind::kScalar:
-      return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
+      return node.quoted ? fmt::format("\"{}\"", Shown(node.text)) : Shown(node.text);
     case YamlNode::Kind::kList:
       return "a list";
     case YamlNode::Kind::kMap:
@@ -58,6 +68,11 @@ YamlReader::YamlReader(const YamlNode& node, std::string path)
     RequireInput(false, "{}: {} is {}, must be a mapping of keys to values", node.place.ToString(),
                  path_.empty() ? "the file" : path_, Describe(node));
   }
+}
+
+std::string YamlReader::PlaceOf(std::string_view key) const {
+  const YamlNode* value = node_.Find(key);
+  return value == nullptr ? Place() : value->place.ToString();
 }
 
 bool YamlReader::Has(std::string_view key) const { return node_.Find(key) != nullptr; }

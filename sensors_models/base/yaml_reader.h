@@ -71,6 +71,8 @@ class YamlReader {
   [[noreturn]] void Fail(std::string_view key, std::string_view what_is_allowed) const;
   /// "file:line" of the mapping.
   std::string Place() const { return node_.place.ToString(); }
+  /// "file:line" of the value of `key`; the mapping's where the key is missing.
+  std::string PlaceOf(std::string_view key) const;
 
   /// Throws InputError if the mapping has a key that was never asked for.
   void Finish() const;

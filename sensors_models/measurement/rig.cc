@@ -1,7 +1,10 @@
 #include "sensors_models/measurement/rig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <fmt/ranges.h>
 
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/resources.h"
@@ -147,6 +150,10 @@ DepthSheet ReadDepth(YamlReader& yaml) {
   return depth;
 }
 
+std::filesystem::path RigFolder() {
+  return DataDirectory() / "sensors_models" / "measurement" / "rigs";
+}
+
 }  // namespace
 
 Rig ReadRig(const YamlNode& root) {
@@ -163,13 +170,22 @@ Rig ReadRig(const YamlNode& root) {
 
 Rig LoadRig(const std::filesystem::path& path) { return ReadRig(LoadYaml(path)); }
 
+std::vector<std::string> KnownRigs() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(RigFolder())) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::filesystem::path FindRig(const std::string& name_or_path) {
   if (name_or_path.ends_with(".yaml")) return name_or_path;
-  const auto folder = DataDirectory() / "sensors_models" / "measurement" / "rigs";
-  const auto path = folder / (name_or_path + ".yaml");
-  RequireInput(std::filesystem::exists(path), "rig '{}': no such file {}", name_or_path,
-               path.string());
-  return path;
+  const std::vector<std::string> known = KnownRigs();
+  RequireInput(std::find(known.begin(), known.end(), name_or_path) != known.end(),
+               "rig is {}, must be one of {}, or a path that ends in .yaml", name_or_path,
+               fmt::join(known, ", "));
+  return RigFolder() / (name_or_path + ".yaml");
 }
 
 }  // namespace drydock

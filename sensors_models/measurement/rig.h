@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sensors_models/base/pose.h"
 #include "sensors_models/base/yaml_node.h"
@@ -114,6 +115,9 @@ struct Rig {
 /// Reads a rig's YAML strictly; InputError with file, line and key.
 Rig ReadRig(const YamlNode& root);
 Rig LoadRig(const std::filesystem::path& path);
+
+/// The names of the rigs that come with Drydock, sorted.
+std::vector<std::string> KnownRigs();
 
 /// The file of a rig that comes with Drydock ("svin2_v3"), or `name_or_path` itself if it ends in
 /// .yaml.

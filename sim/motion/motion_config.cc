@@ -2,14 +2,17 @@
 
 #include <numbers>
 
+#include <fmt/format.h>
+
 namespace drydock::sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr Bounds kCoordinate{-1000.0, 1000.0};
 
-Waypoint ReadWaypoint(YamlReader& yaml) {
+Waypoint ReadWaypoint(YamlReader& yaml, std::size_t index) {
   Waypoint waypoint;
+  waypoint.place = fmt::format("{}: motion.waypoints.{}", yaml.PlaceOf("position_m"), index);
   waypoint.position = yaml.Vector3("position_m", kCoordinate);
   if (yaml.Has("look_at_m")) {
     waypoint.look_at = yaml.Vector3("look_at_m", kCoordinate);
@@ -36,7 +39,7 @@ MotionConfig ReadMotion(YamlReader& yaml) {
     config.sway.angle_rad = kRadiansPerDegree * sway.Real("angle_deg", {0.0, 20.0}, 0.0);
   });
   yaml.List("waypoints", [&](YamlReader& waypoint) {
-    config.waypoints.push_back(ReadWaypoint(waypoint));
+    config.waypoints.push_back(ReadWaypoint(waypoint, config.waypoints.size()));
     const std::size_t n = config.waypoints.size();
     if (n < 2) return;
     const double step =

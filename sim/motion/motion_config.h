@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sensors_models/base/yaml_reader.h"
@@ -16,6 +17,7 @@ struct Waypoint {
   std::optional<Eigen::Vector3d> look_at;
   double yaw_offset_rad = 0.0;  ///< Added to the direction of travel, positive to the left.
   double pitch_rad = 0.0;       ///< Positive looks down. Ignored with look_at.
+  std::string place;            ///< Where it was written: "file:line: key"; for messages.
 };
 
 /// Root mean square of the sway; the YAML keys are position_m and angle_deg.

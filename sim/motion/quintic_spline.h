@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 namespace drydock::sim {
@@ -17,6 +18,9 @@ class QuinticSpline {
   /// The curve (order 0) or its derivative of order 1 to 4 at `t`, clamped to the curve's span.
   Eigen::VectorXd Evaluate(double t, int order = 0) const;
 
+  /// When it passes its i-th point.
+  double TimeOf(std::size_t i) const { return knots_[kDegree + i]; }
+  std::size_t size() const { return knots_.size() - 2 * kDegree; }
   double start() const { return knots_.front(); }
   double end() const { return knots_.back(); }
 

@@ -84,6 +84,15 @@ Eigen::Vector3d BodyRate(double pitch, double roll, const Eigen::Vector3d& yaw_p
 SplineMotion::SplineMotion(const MotionConfig& config, std::uint64_t seed)
     : path_(FitAtSpeed(PathPoints(config.waypoints), config.speed_m_s)), sway_(config.sway, seed) {}
 
+std::size_t SplineMotion::NearestWaypoint(Time t) const {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < path_.size(); ++i) {
+    const auto away = [&](std::size_t k) { return std::abs(path_.TimeOf(k) - t.Seconds()); };
+    if (away(i) < away(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
 MotionState SplineMotion::At(Time t) const {
   const double seconds = t.Seconds();
   const Eigen::VectorXd value = path_.Evaluate(seconds);

@@ -1,6 +1,7 @@
 // Motion along a smooth curve through way-points.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/motion/motion.h"
@@ -18,6 +19,8 @@ class SplineMotion final : public Motion {
   SplineMotion(const MotionConfig& config, std::uint64_t seed);
 
   MotionState At(Time t) const override;
+  /// The index of the way-point that is nearest in time.
+  std::size_t NearestWaypoint(Time t) const;
   Time End() const override { return Time::FromSeconds(path_.end()); }
 
  private:

@@ -5,7 +5,7 @@
 namespace drydock::sim {
 
 void RequireClearPath(const Motion& motion, const World& world, const RayScene& rays,
-                      double clearance_m) {
+                      double clearance_m, const std::function<std::string(Time)>& place_of) {
   constexpr Duration kStep{20'000'000};  // About a centimetre at a diver's speed.
   for (Time t; t <= motion.End(); t = t + kStep) {
     const Eigen::Vector3d p = motion.At(t).T_WI.p();
@@ -13,9 +13,10 @@ void RequireClearPath(const Motion& motion, const World& world, const RayScene& 
     if (!hit) continue;
     RequireInput(
         false,
-        "motion: at {:.2f} s the path at ({:.2f}, {:.2f}, {:.2f}) m comes within {:.3f} m of '{}'; "
+        "{}: at {:.2f} s the path at ({:.2f}, {:.2f}, {:.2f}) m comes within {:.3f} m of '{}'; "
         "clearance_m asks for {:.3f} m",
-        t.Seconds(), p.x(), p.y(), p.z(), hit->range, world.BodyOfGeom(hit->geom), clearance_m);
+        place_of(t), t.Seconds(), p.x(), p.y(), p.z(), hit->range, world.BodyOfGeom(hit->geom),
+        clearance_m);
   }
 }
 

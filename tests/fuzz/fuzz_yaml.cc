@@ -1,11 +1,13 @@
 // Any text is either refused with an InputError or read; what was read can be written, read again
-// and means the same. Rigs and --set go through the same text.
+// and means the same. The same text is read as a rig, as a whole scenario and as a --set.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "scenarios/dataset/rig_yaml.h"
+#include "scenarios/runner/scenario.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/yaml_node.h"
 #include "sensors_models/measurement/rig.h"
@@ -29,6 +31,29 @@ bool SameTree(const YamlNode& a, const YamlNode& b) {
   return true;
 }
 
+/// What can be read as a rig can be written and comes back to the last bit.
+void ReadAsRig(const YamlNode& root) {
+  Rig rig;
+  try {
+    rig = ReadRig(root);
+  } catch (const InputError& error) {
+    Require(std::string_view(error.what()).starts_with("fuzz.yaml"), "an error names its file");
+    return;
+  }
+  const std::string written = dataset::FormatRig(rig);
+  const Rig back = ReadRig(ParseYaml(written, "written.yaml"));
+  Require(dataset::FormatRig(back) == written, "a rig comes back");
+}
+
+void ReadAsScenario(const YamlNode& root) {
+  try {
+    const Scenario scenario = ReadScenario(root, "fuzz");
+    Require(scenario.motion.waypoints.size() >= 2, "a path has two ends");
+  } catch (const InputError& error) {
+    Require(std::string_view(error.what()).starts_with("fuzz.yaml"), "an error names its file");
+  }
+}
+
 void Run(std::string_view text) {
   std::optional<YamlNode> root;
   try {
@@ -43,10 +68,8 @@ void Run(std::string_view text) {
     Require(SameTree(back, *root), "ParseYaml(EmitYaml(tree)) == tree");
     Require(EmitYaml(back) == emitted, "EmitYaml is stable");
   }
-  try {
-    ReadRig(*root);
-  } catch (const InputError&) {
-  }
+  ReadAsRig(*root);
+  ReadAsScenario(*root);
   YamlNode changed = *root;
   try {
     SetYaml(changed, text.substr(0, text.find('\n')));

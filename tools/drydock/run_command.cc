@@ -1,12 +1,11 @@
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "scenarios/scoring/metrics.h"
 #include "tools/drydock/commands.h"
 #include "tools/drydock/dive_arguments.h"
+#include "tools/drydock/print_metrics.h"
 
 namespace drydock::cli {
 namespace {
@@ -21,10 +20,7 @@ struct Arguments {
 void PrintScorecard(const score::Scorecard& card) {
   fmt::print("{}: seed {}, {}, path {:.2f} m in {:.1f} s\n", card.run.scenario, card.run.seed,
              card.run.estimator, card.path_length_m, card.duration_s);
-  for (const score::MetricInfo& metric : score::AllMetrics()) {
-    const std::optional<double>& value = card.metrics.*metric.value;
-    if (value) fmt::print("  {:<24} {:>10.4f} {}\n", metric.name, *value, metric.unit);
-  }
+  PrintMetrics(card.metrics);
   for (const score::CriterionResult& result : card.criteria) {
     fmt::print("  {} {} {} {}\n", result.passed ? "met   " : "MISSED", result.criterion.metric,
                score::DescribeBound(result.criterion), result.unit);

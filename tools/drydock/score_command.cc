@@ -5,9 +5,10 @@
 
 #include "scenarios/dataset/tum.h"
 #include "scenarios/scoring/json.h"
-#include "scenarios/scoring/metrics.h"
 #include "scenarios/scoring/trajectory_score.h"
+#include "sensors_models/base/check.h"
 #include "tools/drydock/commands.h"
+#include "tools/drydock/print_metrics.h"
 
 namespace drydock::cli {
 namespace {
@@ -20,22 +21,35 @@ struct Arguments {
   bool json = false;
 };
 
-int ScoreFiles(const Arguments& arguments) {
+Trajectory ReadPoses(const std::string& file) {
+  Trajectory trajectory = dataset::ReadTum(file);
+  RequireInput(!trajectory.empty(), "{}: holds no poses", file);
+  return trajectory;
+}
+
+score::TrajectoryScore Compare(const Arguments& arguments) {
   score::AssociationOptions association;
   if (arguments.interpolate) association.mode = score::AssociationMode::kInterpolate;
-  const score::TrajectoryScore result = score::ScoreTrajectories(
-      dataset::ReadTum(arguments.truth), dataset::ReadTum(arguments.estimate),
-      score::ParseAlignment(arguments.align), association);
+  const Trajectory truth = ReadPoses(arguments.truth);
+  const Trajectory estimate = ReadPoses(arguments.estimate);
+  try {
+    return score::ScoreTrajectories(truth, estimate, score::ParseAlignment(arguments.align),
+                                    association);
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{} against {}: {}", arguments.estimate, arguments.truth, error.what()));
+  }
+}
+
+int ScoreFiles(const Arguments& arguments) {
+  const score::TrajectoryScore result = Compare(arguments);
   if (arguments.json) {
     fmt::print("{}", score::ToJson(result));
     return kPassed;
   }
   fmt::print("{} pairs, aligned by {}, path {:.2f} m\n", result.association.pairs.size(),
              arguments.align, result.path_length_m);
-  for (const score::MetricInfo& metric : score::AllMetrics()) {
-    const std::optional<double>& value = result.metrics.*metric.value;
-    if (value) fmt::print("  {:<24} {:>10.4f} {}\n", metric.name, *value, metric.unit);
-  }
+  PrintMetrics(result.metrics);
   return kPassed;
 }
 

@@ -36,6 +36,24 @@ TEST(DeadReckoning, StaysWhereItIs) {
   EXPECT_LT((estimator.Latest()->state.T_WI.p() - Eigen::Vector3d(1, 2, 3)).norm(), 1e-9);
 }
 
+// Recordings begin before their ground truth does: the body was elsewhere then.
+TEST(DeadReckoning, IgnoresWhatWasMeasuredBeforeItsStart) {
+  DeadReckoning estimator(Rig{});
+  NavState known;
+  known.t = Time::FromSeconds(2.0);
+  known.v_W = {0.0, 0.0, 0.5};
+  estimator.Start(known);
+  estimator.Add(At(0.0, DepthSample{9.0}));
+  estimator.Add(At(1.0, ImuSample{{1, 1, 1}, {5, 5, 5}}));
+  EXPECT_FALSE(estimator.Latest());
+  // From here on the depth readings agree with the known speed upwards.
+  for (int k = 0; k <= 100; ++k) {
+    estimator.Add(At(2.0 + 0.01 * k, kRest));
+    if (k % 50 == 0) estimator.Add(At(2.0 + 0.01 * k, DepthSample{7.0 - 0.005 * k}));
+  }
+  EXPECT_NEAR(estimator.Latest()->state.T_WI.p().z(), 0.5, 1e-9);
+}
+
 TEST(DeadReckoning, DepthHoldsTheHeight) {
   ImuSample biased = kRest;
   biased.specific_force.z() += 0.02;  // Unknown to the estimator: 36 m in 60 s.

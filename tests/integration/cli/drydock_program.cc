@@ -15,11 +15,12 @@ std::string Quoted(const std::string& text) { return "'" + text + "'"; }
 
 }  // namespace
 
-Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                   int limit_s) {
   const TemporaryFolder said;
   const std::filesystem::path out = said.path() / "out", err = said.path() / "err";
-  std::string command =
-      fmt::format("cd {} && {}", Quoted(folder.string()), Quoted(DRYDOCK_PROGRAM));
+  std::string command = fmt::format("cd {} && timeout {} {}", Quoted(folder.string()), limit_s,
+                                    Quoted(DRYDOCK_PROGRAM));
   for (const std::string& argument : arguments) command += " " + Quoted(argument);
   command += fmt::format(" </dev/null >{} 2>{}", Quoted(out.string()), Quoted(err.string()));
   const int status = std::system(command.c_str());

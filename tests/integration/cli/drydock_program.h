@@ -8,14 +8,15 @@
 namespace drydock::testing {
 
 struct Outcome {
-  int exit_code = -1;  ///< -1 if the program was ended by a signal.
+  int exit_code = -1;  ///< -1 if the program was ended by a signal, 124 if it took too long.
   std::string out;
   std::string err;
 };
 
 /// `drydock ARGUMENTS` in `folder`, with no terminal and no input. What it says goes to files
-/// beside `folder`, not into it.
-Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+/// beside `folder`, not into it. Ended after `limit_s` seconds.
+Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                   int limit_s = 240);
 
 /// The scenario that most tests swim a second of.
 std::string BusScenario();

@@ -11,9 +11,9 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 #ifdef DRYDOCK_WITH_SIM
-const std::vector<std::string> kCommands = {"run", "simulate", "score", "list"};
+const std::vector<std::string> kCommands = {"run", "simulate", "estimate", "score", "list"};
 #else
-const std::vector<std::string> kCommands = {"score", "list"};
+const std::vector<std::string> kCommands = {"estimate", "score", "list"};
 #endif
 
 TEST(CliHelp, ProgramNamesItsCommandsAndExitCodes) {
@@ -39,7 +39,7 @@ TEST(CliHelp, EveryCommandExplainsItself) {
 TEST(CliHelp, WrongUseIsAnError) {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{}, {"swim"}, {"score"}, {"list", "--frobnicate"}}) {
+       {std::vector<std::string>{}, {"swim"}, {"score"}, {"estimate"}, {"list", "--frobnicate"}}) {
     const Outcome outcome = RunDrydock(folder.path(), arguments);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");

@@ -110,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
               "arrivals.csv:", "row of imu0/data.csv"},
         Break{"ArrivalBeforeItsTime", "arrivals.csv", "1600000000050000000,1600000000050000000,",
               "1600000000050000000,1600000000049999999,", "arrivals.csv:", "at least the"},
+        Break{"ArrivalsOutOfOrder", "arrivals.csv", "1600000000050000000,1600000000050000000,",
+              "1600000000050000000,1600000009050000000,", "arrivals.csv:", "before it"},
         Break{"ArrivalMissing", "arrivals.csv", "1600000000050000000,1600000000050000000,imu0,1\n",
               "", "arrivals.csv", "never arrive"}),
     [](const auto& test) { return test.param.name; });
@@ -118,7 +120,7 @@ class EurocBrokenFiles : public RecordingTest {};
 
 TEST_F(EurocBrokenFiles, NoRecordingAtAll) {
   EXPECT_THAT(ReadAll(folder_), HasSubstr("no recording in EuRoC's layout"));
-  EXPECT_THAT(ReadAll(folder_ / "missing"), HasSubstr("no recording"));
+  EXPECT_THAT(ReadAll(folder_ / "missing"), HasSubstr("missing: no such folder"));
 }
 
 TEST_F(EurocBrokenFiles, MissingFiles) {
@@ -137,6 +139,11 @@ TEST_F(EurocBrokenFiles, ImagesThatAreNone) {
   EXPECT_THAT(ReadAll(target()), AllOf(HasSubstr(image.string()), HasSubstr("cannot be read")));
   cv::imwrite(image.string(), cv::Mat(24, 16, CV_8UC1, cv::Scalar(0)));
   EXPECT_THAT(ReadAll(target()), AllOf(HasSubstr(image.string()), HasSubstr("is 16x24 px")));
+  // The head of a PNG that claims 2^31 - 1 pixels a side: refused before they are asked for.
+  const std::string signature("\x89PNG\r\n\x1a\n", 8);
+  WriteFileAtomically(
+      image, signature + std::string("\0\0\0\x0dIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff", 16));
+  EXPECT_THAT(ReadAll(target()), HasSubstr("is 2147483647x2147483647 px"));
   cv::imwrite(image.string(), cv::Mat(24, 32, CV_16UC1, cv::Scalar(0)));
   EXPECT_THAT(ReadAll(target()), AllOf(HasSubstr(image.string()), HasSubstr("8-bit")));
 }

@@ -224,10 +224,25 @@ TEST_F(EurocRoundTrip, WriterRefusesWhatCannotBe) {
   SonarPing short_profile;
   short_profile.profile = {1, 2, 3};
   EXPECT_THROW(writer.Add({Time{5}, Time{5}, short_profile}), std::logic_error);
-  writer.Add({Time{6}, Time{6}, DepthSample{}});
-  writer.Add({Time{6}, Time{7}, DepthSample{}});
-  EXPECT_THROW(writer.Commit(), std::logic_error);
   EXPECT_FALSE(fs::exists(target()));
+}
+
+TEST_F(EurocRoundTrip, WriterRefusesASecondRowOfTheSameTimeAndKeepsTheFirst) {
+  EurocWriter writer(SmallRig(), target());
+  writer.Add({Time{6}, Time{6}, DepthSample{1.0}});
+  writer.Add({Time{6}, Time{6}, SonarPing{}});  // Another sensor may.
+  try {
+    writer.Add({Time{6}, Time{7}, DepthSample{2.0}});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "pressure0: a second row at 6 ns, must have one a time");
+  }
+  writer.AddTruth(Time{6}, {});
+  EXPECT_THROW(writer.AddTruth(Time{6}, {}), InputError);
+  writer.Commit();
+  EXPECT_EQ(ReadFile(mav0() / "pressure0/data.csv"), "#timestamp [ns],depth [m]\n6,1\n");
+  EXPECT_EQ(ReadFile(mav0() / "arrivals.csv"),
+            "#timestamp [ns],arrival [ns],sensor,index []\n6,6,pressure0,0\n6,6,sonar0,0\n");
 }
 
 }  // namespace

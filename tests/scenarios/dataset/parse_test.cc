@@ -28,7 +28,7 @@ TEST(ParseSeconds, IsExactToTheNanosecond) {
       {"5.", 5'000'000'000},
       {"000012.5", 12'500'000'000},
       {"0.30000000000000004", 300'000'000},
-      {"9200000000", 9'200'000'000'000'000'000},
+      {"4600000000", 4'600'000'000'000'000'000},
       {"0e9999", 0},
   };
   for (const auto& [text, ns] : cases) {
@@ -41,8 +41,9 @@ TEST(ParseSeconds, IsExactToTheNanosecond) {
 }
 
 TEST(ParseSeconds, RefusesWhatIsNoTime) {
-  for (const char* text : {"", " ", "1 ", "a", "1.2.3", "nan", "inf", "1e", "1e400", "0x1p3",
-                           "9200000001", "1e19", "--1", "+-1", "1,5", "-", ".", "1e+"}) {
+  for (const char* text :
+       {"", " ", "1 ", "a", "1.2.3", "nan", "inf", "1e", "1e400", "0x1p3", "4600000001",
+        "-4600000001", "1e19", "--1", "+-1", "1,5", "-", ".", "1e+"}) {
     EXPECT_FALSE(ParseSeconds(text).has_value()) << text;
   }
 }

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Broken{"DecimalComma", "2 0,5 0 0 0 0 0 1", "tx is '0,5'"},
                     Broken{"ZeroQuaternion", "2 0 0 0 0 0 0 0", "length is 0"},
                     Broken{"LongQuaternion", "2 0 0 0 0 0 0 1.01", "length is 1.01"},
-                    Broken{"HugeQuaternion", "2 0 0 0 1e200 0 0 1e200", "length is"},
+                    Broken{"HugeQuaternion", "2 0 0 0 1e200 0 0 1e200", "qx is '1e200'"},
                     Broken{"SameTime", "1 0 0 0 0 0 0 1", "later than the 1.000000000"},
                     Broken{"SameTimeOtherwiseWritten", "1.0000000001 0 0 0 0 0 0 1", "later than"},
                     Broken{"EarlierTime", "0.5 0 0 0 0 0 0 1", "t is 0.500000000"},

@@ -61,6 +61,7 @@ TEST_F(Files, WriteFileThatFailsThrowsAndLeavesNothing) {
 TEST_F(Files, ReadFileNamesWhatIsWrong) {
   EXPECT_THROW(ReadFile(folder_ / "missing"), InputError);
   EXPECT_THROW(ReadFile(folder_), InputError);
+  EXPECT_THROW(ReadFile("/dev/zero"), InputError);  // Never ends.
   WriteFileAtomically(folder_ / "big", "12345");
   EXPECT_THROW(ReadFile(folder_ / "big", 4), InputError);
   EXPECT_EQ(ReadFile(folder_ / "big", 5), "12345");
@@ -107,11 +108,32 @@ TEST_F(Files, KeepTheirsLeavesWhatIsThere) {
   EXPECT_THAT(Names(), testing::ElementsAre("result"));
 }
 
-TEST_F(Files, DirectoryInPlaceOfAFileThrows) {
+TEST_F(Files, DirectoryInPlaceOfAFileThrowsAtOnce) {
   WriteFileAtomically(folder_ / "result", "a file");
-  AtomicDirectory directory(folder_ / "result");
-  EXPECT_THROW(directory.Commit(AtomicDirectory::IfExists::kReplace), InputError);
+  EXPECT_THROW(AtomicDirectory{folder_ / "result"}, InputError);
   EXPECT_EQ(ReadFile(folder_ / "result"), "a file");
+  EXPECT_THAT(Names(), testing::ElementsAre("result"));
+}
+
+TEST_F(Files, AbandonedDirectoryTakesTheParentsItMadeWithIt) {
+  fs::create_directories(folder_ / "theirs");
+  { const AtomicDirectory directory(folder_ / "theirs/a/b/result"); }
+  EXPECT_TRUE(fs::is_empty(folder_ / "theirs"));
+  {
+    const AtomicDirectory directory(folder_ / "theirs/a/b/result");
+    WriteFileAtomically(folder_ / "theirs/a/other", "x");
+  }
+  EXPECT_EQ(ReadFile(folder_ / "theirs/a/other"), "x");
+  EXPECT_FALSE(fs::exists(folder_ / "theirs/a/b"));
+}
+
+TEST_F(Files, OnlyResultsMayBeReplaced) {
+  EXPECT_NO_THROW(RequireReplaceable(folder_ / "missing", {"mark"}));
+  EXPECT_NO_THROW(RequireReplaceable(folder_, {"mark"}));  // Empty.
+  WriteFileAtomically(folder_ / "thesis.txt", "x");
+  EXPECT_THROW(RequireReplaceable(folder_, {"mark", "other"}), InputError);
+  WriteFileAtomically(folder_ / "mark", "x");
+  EXPECT_NO_THROW(RequireReplaceable(folder_, {"other", "mark"}));
 }
 
 }  // namespace

@@ -108,6 +108,27 @@ TEST(ParseYaml, RefusesAnchorsThatExplode) {
   EXPECT_THAT(ParseMessage(text), HasSubstr("more than"));
 }
 
+TEST(ParseYaml, RefusesWhatIsNotUtf8) {
+  EXPECT_NO_THROW(ParseYaml("a: \"\xc3\xbc \xe2\x82\xac \xf0\x9f\x90\x9f\"\r\nb:\t1\n", "f.yaml"));
+  EXPECT_NO_THROW(
+      ParseYaml("\xef\xbb\xbf"
+                "a: 1\n",
+                "f.yaml"));  // A byte order mark.
+  for (const std::string_view bad :
+       {std::string_view("\0", 1), std::string_view("\x1b"), std::string_view("\xfc"),
+        std::string_view("\xc3"), std::string_view("\xc3("), std::string_view("\xc0\x80"),
+        std::string_view("\xe2\x82"), std::string_view("\xf8\x88\x80\x80\x80")}) {
+    EXPECT_THAT(ParseMessage("a: 1\nb: " + std::string(bad)), HasSubstr("f.yaml:2: is not UTF-8"))
+        << testing::PrintToString(bad);
+  }
+}
+
+TEST(ParseYaml, RefusesMappingsThatTakeForEver) {
+  std::string text;
+  for (int i = 0; i <= 10'000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  EXPECT_THAT(ParseMessage(text), HasSubstr("f.yaml:10001: a mapping of more than 10000 keys"));
+}
+
 TEST(ParseYaml, RefusesAFileThatIsTooLarge) {
   EXPECT_THAT(ParseMessage("a: " + std::string(1 << 20, 'x')), HasSubstr("larger than"));
 }
@@ -136,13 +157,20 @@ TEST(SetYaml, SetsReplacesAndAdds) {
       "e.yaml");
   EXPECT_TRUE(SameTree(root, expected)) << EmitYaml(root);
   EXPECT_THAT(root.Find("a")->Find("x")->place.ToString(), HasSubstr("--set a.x=2.5"));
+  // What was made on the way is the user's doing, too.
+  EXPECT_EQ(root.Find("not")->place.ToString(), "--set not.there.yet=3");
+}
+TEST(SetYaml, RefusesPathsWithoutEnd) {
+  YamlNode root = ParseYaml("a: 1\n", "f.yaml");
+  std::string path = "x";
+  for (int i = 0; i < 40; ++i) path += ".x";
+  EXPECT_THAT(MessageOf([&] { SetYaml(root, path + "=1"); }), HasSubstr("deeper than 32"));
 }
 
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
-  for (const char* bad :
-       {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
-        "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
+  for (const char* bad : {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
+                          "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
     EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
   }
 }

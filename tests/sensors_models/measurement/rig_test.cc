@@ -80,6 +80,12 @@ TEST(Rig, WhatASheetNeedNotSayIsNone) {
   }
 }
 
+TEST(Rig, KnownRigsCanBeFound) {
+  const std::vector<std::string> known = KnownRigs();
+  EXPECT_THAT(known, testing::Contains("svin2_v3"));
+  for (const std::string& name : known) EXPECT_NO_THROW(LoadRig(FindRig(name))) << name;
+}
+
 TEST(Rig, UnknownNameIsAnError) {
   EXPECT_THROW(FindRig("no_such_rig"), InputError);
   EXPECT_EQ(FindRig("some/where.yaml"), "some/where.yaml");

@@ -89,6 +89,23 @@ TEST(SplineMotion, LooksWhereItIsTold) {
   EXPECT_LT((forward - wanted).norm(), 0.01);
 }
 
+TEST(SplineMotion, KnowsItsNearestWaypoint) {
+  MotionConfig config;
+  for (const double x : {0.0, 2.0, 4.0, 6.0}) {
+    config.waypoints.emplace_back();
+    config.waypoints.back().position = {x, 0.0, 0.0};
+  }
+  const SplineMotion motion(config, 1);
+  for (double t = 0.0; t < motion.End().Seconds(); t += 0.1) {
+    const double x = motion.At(At(t)).T_WI.p().x();
+    const double fraction = x / 2.0 - std::floor(x / 2.0);
+    // Near in time is near in space, but for the acceleration at both ends.
+    if (fraction > 0.2 && fraction < 0.8) continue;
+    EXPECT_EQ(motion.NearestWaypoint(At(t)), static_cast<std::size_t>(std::lround(x / 2.0))) << x;
+  }
+  EXPECT_EQ(motion.NearestWaypoint(motion.End()), 3U);
+}
+
 TEST(SplineMotion, YawIsUnwrapped) {
   MotionConfig config;
   for (int i = 0; i <= 16; ++i) {  // Twice around: yaw passes pi four times.

@@ -32,7 +32,18 @@ TEST(PathClearance, PassesBesideButNotThrough) {
     RequireClearPath(motion, world, rays, 0.55);
     FAIL();
   } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::StartsWith("motion: at "));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("'post'"));
+  }
+  const auto place = [&](Time t) {
+    return "way-point " + std::to_string(motion.NearestWaypoint(t));
+  };
+  try {
+    RequireClearPath(motion, world, rays, 0.55, place);
+    FAIL();
+  } catch (const InputError& error) {
+    // The post is at x = 3; it is met a bit before, nearest to the second way-point at 2.
+    EXPECT_THAT(error.what(), ::testing::StartsWith("way-point 1: at "));
   }
 }
 

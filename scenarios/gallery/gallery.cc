@@ -1,9 +1,7 @@
-// Draws docs/images/gallery.jpg: the same views of the bus in different water and light.
-//
-//   build/release/bin/drydock_gallery docs/images/gallery.jpg
-#include <exception>
+#include "scenarios/gallery/gallery.h"
+
+#include <array>
 #include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -12,7 +10,7 @@
 #include "scenarios/report/canvas.h"
 #include "scenarios/runner/scenario.h"
 #include "scenes/scene.h"
-#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
 #include "sensors_models/base/resources.h"
 #include "sim/motion/spline_motion.h"
 #include "sim/sensors/stereo_camera.h"
@@ -78,17 +76,11 @@ cv::Mat DrawGallery() {
 }
 
 }  // namespace
-}  // namespace drydock
 
-int main(int argc, char** argv) {
-  try {
-    drydock::RequireInput(argc == 2, "usage: drydock_gallery PICTURE.jpg");
-    const bool written =
-        cv::imwrite(argv[1], drydock::DrawGallery(), {cv::IMWRITE_JPEG_QUALITY, 85});
-    drydock::RequireInput(written, "{}: cannot be written", argv[1]);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "drydock_gallery: " << error.what() << '\n';
-    return 2;
-  }
+void WriteGallery(const std::filesystem::path& path) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", DrawGallery(), bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
+  WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
+
+}  // namespace drydock

@@ -1,0 +1,50 @@
+// An estimator on a recording.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "scenarios/scoring/scorecard.h"
+#include "sensors_models/base/time.h"
+
+namespace drydock {
+
+struct ReplayOptions {
+  std::string estimator = "dead-reckoning";  ///< A registered name.
+  /// What the estimator believes of the rig: a rig's name or file; by default the recording's own.
+  std::string rig;
+  /// Start from the first state of the recording's ground truth.
+  bool start_from_truth = false;
+  std::filesystem::path output;  ///< Replaced as a whole when everything is done.
+  /// Called now and then with the time since the first arrival and that of the last one.
+  std::function<void(Time now, Time end)> progress = [](Time, Time) {};
+  /// Takes messages about what is odd but can be read.
+  std::function<void(const std::string& message)> warn = [](const std::string&) {};
+};
+
+/// Where the wall-clock time of a replay went [s].
+struct ReplayTimings {
+  double reading = 0.0;  ///< Tables and images.
+  double estimator = 0.0;
+  double recorded = 0.0;  ///< From the first arrival to the last.
+};
+
+struct ReplayResult {
+  std::size_t measurements = 0;
+  std::size_t poses = 0;                      ///< Of the odometry.
+  std::optional<score::Scorecard> scorecard;  ///< Where the recording has ground truth.
+  ReplayTimings timings;
+};
+
+/// Hands the measurements of an EuRoC folder to an estimator in the order of their arrival and
+/// writes odometry.tum, trajectory.tum, loops.csv, events.log, manifest.json and timings.json to
+/// the output folder and, where the recording has ground truth, truth.tum, scorecard.json and
+/// trajectory.png. What `run --record` recorded gives the odometry of that run again, byte for
+/// byte. InputError if the recording, the rig or the options cannot be used; nothing is written
+/// then.
+ReplayResult Replay(const std::filesystem::path& recording, const ReplayOptions& options);
+
+}  // namespace drydock

@@ -1,0 +1,36 @@
+// The files that an estimator leaves behind, whether its measurements were simulated or recorded.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "estimator/interface/estimator.h"
+#include "scenarios/scoring/scorecard.h"
+
+namespace drydock {
+
+/// What an estimator said, and what happened to it.
+struct Results {
+  Trajectory odometry;   ///< As published at the time.
+  Trajectory corrected;  ///< As known in the end.
+  std::vector<LoopClosure> loops;
+  std::vector<std::string> events;
+};
+
+Results CollectResults(const Estimator& estimator, std::vector<std::string> events);
+
+/// Writes odometry.tum, trajectory.tum, loops.csv and events.log into `folder`.
+void WriteResults(const std::filesystem::path& folder, const Results& results);
+
+/// Writes truth.tum, scorecard.json and, where `trajectory` can be laid upon the truth,
+/// trajectory.png with `title`.
+void WriteScore(const std::filesystem::path& folder, const std::string& title,
+                const Trajectory& truth, const Trajectory& trajectory,
+                const score::Scorecard& card);
+
+/// Sixteen hexadecimal digits that identify a text: 64-bit FNV-1a.
+std::string HashText(std::string_view text);
+
+}  // namespace drydock

@@ -1,0 +1,19 @@
+// A rig whose cameras can be computed with.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sensors_models/measurement/rig.h"
+
+namespace drydock {
+
+/// LoadRig, and RequireUsable for each camera, with file, line and key.
+Rig LoadUsableRig(const std::filesystem::path& path);
+
+/// InputError that begins with `place` if the distortion folds over inside the image: then several
+/// points of the world meet in one pixel, and pixels have no ray. Looked for along the image's
+/// border and on a grid of some thousand pixels.
+void RequireUsable(const CameraIntrinsics& camera, const std::string& place);
+
+}  // namespace drydock

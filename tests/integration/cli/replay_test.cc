@@ -1,0 +1,50 @@
+// What `drydock run --record` recorded gives the same odometry again, to the last byte.
+#include <gtest/gtest.h>
+
+#include "sensors_models/base/files.h"
+#include "tests/integration/cli/drydock_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace drydock::testing {
+namespace {
+
+// Latencies mix the order of arrival; the noise makes every bit count.
+TEST(CliReplay, GivesTheOdometryOfTheRun) {
+  const TemporaryFolder folder;
+  const Outcome run = RunDrydock(
+      folder.path(),
+      {"run", BusScenario(), "--set", "duration_s=3", "--set",
+       "sensors={stereo: {enabled: false}, depth: {latency_s: 0.13}, sonar: {latency_s: 0.02}}",
+       "--seed", "5", "--record", "-o", "run"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome estimate = RunDrydock(
+      folder.path(), {"estimate", "run/dataset", "--start-from-truth", "-o", "estimate"});
+  ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
+  for (const char* name : {"odometry.tum", "trajectory.tum", "loops.csv", "events.log"}) {
+    const std::string once = ReadFile(folder.path() / "run" / name);
+    EXPECT_GT(once.size(), 20U) << name;
+    EXPECT_TRUE(ReadFile(folder.path() / "estimate" / name) == once) << name;
+  }
+}
+
+// With pictures, from the recording that `simulate` makes of the same scenario.
+TEST(CliReplay, SimulateAndEstimateIsRun) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> dive = {BusScenario(), "--set", "duration_s=0.5"};
+  const auto with = [&](const std::string& command, const std::string& output) {
+    std::vector<std::string> all = {command, "-o", output};
+    all.insert(all.end(), dive.begin(), dive.end());
+    const Outcome outcome = RunDrydock(folder.path(), all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  with("run", "run");
+  with("simulate", "dataset");
+  const Outcome estimate =
+      RunDrydock(folder.path(), {"estimate", "dataset", "--start-from-truth", "-o", "estimate"});
+  ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
+  EXPECT_TRUE(ReadFile(folder.path() / "run" / "odometry.tum") ==
+              ReadFile(folder.path() / "estimate" / "odometry.tum"));
+}
+
+}  // namespace
+}  // namespace drydock::testing

@@ -1,0 +1,57 @@
+#include "sensors_models/models/usable_rig.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/files.h"
+
+namespace drydock {
+namespace {
+
+CameraIntrinsics Camera(double k1) {
+  CameraIntrinsics camera{200, 200, 100.0, 100.0, 99.5, 99.5, {}};
+  camera.distortion[0] = k1;
+  return camera;
+}
+
+// x (1 + k x^2) with k < 0 rises up to x^2 = -1 / (3 k), where it is 2/3 of that x. The corners are
+// 0.995 sqrt(2) = 1.407 from the centre: they have an inverse if that is below 2/3 sqrt(-1 / (3
+// k)), that is for k > -0.0748.
+TEST(UsableRig, FindsWhereTheDistortionFolds) {
+  EXPECT_NO_THROW(RequireUsable(Camera(0.0), "here"));
+  EXPECT_NO_THROW(RequireUsable(Camera(-0.073), "here"));
+  try {
+    RequireUsable(Camera(-0.077), "here");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("here: the distortion folds over"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("pixel (0, 0)"));
+  }
+}
+
+TEST(UsableRig, NamesFileAndLine) {
+  EXPECT_NO_THROW(LoadUsableRig(FindRig("svin2_v3")));
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto right = text.rfind("radtan:");
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(right), '\n');
+  text.replace(right, text.find('\n', right) - right, "radtan: [-1.5, 0, 0, 0]");
+  const auto file = std::filesystem::path(testing::TempDir()) / "drydock_usable_rig.yaml";
+  WriteFileAtomically(file, text);
+  try {
+    LoadUsableRig(file);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format(
+                                  "drydock_usable_rig.yaml:{}: stereo.cameras.1.radtan", line)));
+  }
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace drydock
