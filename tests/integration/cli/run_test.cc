@@ -1,4 +1,5 @@
-// `drydock run`: exit codes, and what is left behind. What it refuses is in broken_scenarios_test.cc.
+// `drydock run`: exit codes, and what is left behind. What it refuses is in
+// broken_scenarios_test.cc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
