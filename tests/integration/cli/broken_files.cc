@@ -68,6 +68,7 @@ void BrokenFilesTest::ExpectRefusal(const Broken& row) const {
   if (!row.file.empty()) row.how(inputs() / row.file);
   if (HasFatalFailure()) return;
   std::vector<std::string> arguments;
+  arguments.reserve(row.command.size());
   for (const std::string& argument : row.command)
     arguments.push_back(WithFolder(argument, inputs()));
   const TemporaryFolder work;

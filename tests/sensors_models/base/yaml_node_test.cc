@@ -160,6 +160,7 @@ TEST(SetYaml, SetsReplacesAndAdds) {
   // What was made on the way is the user's doing, too.
   EXPECT_EQ(root.Find("not")->place.ToString(), "--set not.there.yet=3");
 }
+
 TEST(SetYaml, RefusesPathsWithoutEnd) {
   YamlNode root = ParseYaml("a: 1\n", "f.yaml");
   std::string path = "x";
