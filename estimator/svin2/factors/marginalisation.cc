@@ -50,6 +50,7 @@ Linearisation Linearise(const MarginalTerm& term, std::span<const BlockValues> b
     ambient.emplace_back(RowMajor::Zero(rows, static_cast<int>(blocks[k].size())));
   }
   std::vector<double*> pointers;
+  pointers.reserve(ambient.size());
   for (RowMajor& jacobian : ambient) pointers.push_back(jacobian.data());
   Linearisation linear;
   linear.error.resize(rows);

@@ -25,6 +25,7 @@ inline std::vector<double> Block(const Eigen::Vector3d& v) { return {v.x(), v.y(
 
 inline std::vector<const double*> Pointers(const Blocks& blocks) {
   std::vector<const double*> pointers;
+  pointers.reserve(blocks.size());
   for (const auto& block : blocks) pointers.push_back(block.data());
   return pointers;
 }
@@ -54,10 +55,12 @@ inline std::vector<Eigen::MatrixXd> TangentJacobians(const ceres::CostFunction& 
                                                      const Blocks& blocks) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   std::vector<RowMajor> ambient;
+  ambient.reserve(blocks.size());
   for (const auto& block : blocks)
     ambient.push_back(
         RowMajor::Constant(factor.num_residuals(), static_cast<int>(block.size()), 1e9));
   std::vector<double*> pointers;
+  pointers.reserve(blocks.size());
   for (auto& jacobian : ambient) pointers.push_back(jacobian.data());
   Eigen::VectorXd residuals(factor.num_residuals());
   factor.Evaluate(Pointers(blocks).data(), residuals.data(), pointers.data());
