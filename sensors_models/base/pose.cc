@@ -28,6 +28,19 @@ Eigen::Vector3d LogSO3(const Eigen::Quaterniond& q) {
   return (2.0 * sign * std::atan2(sine, cosine) / sine) * q.vec();
 }
 
+Eigen::Matrix3d LeftJacobianSO3(const Eigen::Vector3d& phi) {
+  const double angle = phi.norm();
+  const double square = angle * angle;
+  const Eigen::Matrix3d hat = Skew(phi);
+  double first = 0.5 - square / 24.0;
+  double second = 1.0 / 6.0 - square / 120.0;
+  if (angle > 1e-2) {
+    first = (1.0 - std::cos(angle)) / square;
+    second = (angle - std::sin(angle)) / (square * angle);
+  }
+  return Eigen::Matrix3d::Identity() + first * hat + second * hat * hat;
+}
+
 Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& phi) {
   const double angle = phi.norm();
   const Eigen::Matrix3d hat = Skew(phi);

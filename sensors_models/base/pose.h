@@ -18,6 +18,10 @@ Eigen::Quaterniond ExpSO3(const Eigen::Vector3d& rotation_vector);
 /// The rotation vector of q [rad], with angle in [0, pi].
 Eigen::Vector3d LogSO3(const Eigen::Quaterniond& q);
 
+/// SO(3)'s left Jacobian: Exp(phi + d) = Exp(LeftJacobianSO3(phi) * d) * Exp(phi) to first order in
+/// d.
+Eigen::Matrix3d LeftJacobianSO3(const Eigen::Vector3d& phi);
+
 /// The inverse of SO(3)'s left Jacobian: Log(Exp(d) * Exp(phi)) = phi + LeftJacobianInverseSO3(phi)
 /// * d to first order in d.
 Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& phi);

@@ -34,6 +34,17 @@ std::optional<Eigen::Vector2d> CameraModel::Project(const Eigen::Vector3d& p_C) 
                          intrinsics_.fy * distorted.y() + intrinsics_.cy);
 }
 
+std::optional<ProjectedPoint> CameraModel::ProjectWithJacobian(const Eigen::Vector3d& p_C) const {
+  const std::optional<Eigen::Vector2d> pixel = Project(p_C);
+  if (!pixel) return std::nullopt;
+  const Eigen::Vector2d ideal = p_C.head<2>() / p_C.z();
+  Eigen::Matrix<double, 2, 3> ideal_by_point;
+  ideal_by_point << 1.0, 0.0, -ideal.x(), 0.0, 1.0, -ideal.y();
+  ideal_by_point /= p_C.z();
+  const Eigen::Vector2d focal(intrinsics_.fx, intrinsics_.fy);
+  return ProjectedPoint{*pixel, focal.asDiagonal() * (DistortJacobian(ideal) * ideal_by_point)};
+}
+
 std::optional<Eigen::Vector2d> CameraModel::Unproject(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d distorted((pixel.x() - intrinsics_.cx) / intrinsics_.fx,
                                   (pixel.y() - intrinsics_.cy) / intrinsics_.fy);

@@ -8,6 +8,12 @@
 
 namespace drydock {
 
+/// A pixel and how it moves with the point that it shows.
+struct ProjectedPoint {
+  Eigen::Vector2d pixel;
+  Eigen::Matrix<double, 2, 3> by_point;  ///< d(pixel) / d(p_C) [px/m].
+};
+
 /// Maps points in the camera frame C (x right, y down, z forward) to pixels and back. Agrees with
 /// cv::projectPoints for the distortion (k1, k2, p1, p2).
 class CameraModel {
@@ -19,6 +25,9 @@ class CameraModel {
   /// The pixel of `p_C` [m, in C], inside the image or not; nothing for points at or behind the
   /// camera's plane.
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p_C) const;
+
+  /// The same with its derivative.
+  std::optional<ProjectedPoint> ProjectWithJacobian(const Eigen::Vector3d& p_C) const;
 
   /// The point on the plane z = 1 of C that `pixel` sees; nothing where the distortion cannot be
   /// inverted.

@@ -74,6 +74,16 @@ TEST(SO3, LogOfHalfATurn) {
   EXPECT_NEAR(LogSO3(ExpSO3({0.0, 0.0, kPi + 0.1})).z(), -(kPi - 0.1), kTolerance);
 }
 
+TEST(SO3, LeftJacobianIsTheInversesInverse) {
+  RandomStream random(4, "jacobian");
+  for (const double angle : {0.0, 1e-6, 5e-3, 9.99e-3, 0.0101, 0.1, 1.0, 2.5, 3.0}) {
+    const Vector3d phi = angle * RandomDirection(random);
+    const Eigen::Matrix3d product = LeftJacobianSO3(phi) * LeftJacobianInverseSO3(phi);
+    // The series stop where a term would be 1e-11 (0.01^4 / 720), the quotients lose digits there.
+    EXPECT_LT((product - Eigen::Matrix3d::Identity()).norm(), 3e-11) << angle;
+  }
+}
+
 TEST(SO3, LeftJacobianInverseMatchesDifferences) {
   RandomStream random(3, "jacobian");
   constexpr double kStep = 1e-6;

@@ -4,6 +4,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "sensors_models/base/random_stream.h"
+#include "tests/support/numeric.h"
 
 namespace drydock {
 namespace {
@@ -48,6 +49,29 @@ TEST(CameraModel, ProjectsAsOpenCvDoes) {
   }
 }
 
+TEST(CameraModel, JacobianMatchesDifferences) {
+  RandomStream random(2, "camera");
+  const CameraModel model(Camera(kSome));
+  for (int i = 0; i < 200; ++i) {
+    const double z = random.Uniform(0.5, 10.0);
+    const double x = random.Uniform(-0.8, 0.8) * z;
+    const double y = random.Uniform(-0.6, 0.6) * z;
+    const Eigen::Vector3d point(x, y, z);
+    const auto projected = model.ProjectWithJacobian(point);
+    ASSERT_TRUE(projected);
+    EXPECT_EQ(projected->pixel, *model.Project(point));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector2d numeric = testing::NumericDerivative(
+          [&](double by) -> Eigen::Vector2d {
+            return *model.Project(point + by * Eigen::Vector3d::Unit(axis));
+          },
+          0.0);
+      EXPECT_LT((projected->by_point.col(axis) - numeric).norm(),
+                1e-6 * (1.0 + projected->by_point.norm()));
+    }
+  }
+}
+
 TEST(CameraModel, UnprojectInvertsProject) {
   const CameraModel model(Camera(kSome));
   for (int v = -20; v <= 620; v += 40) {
@@ -65,6 +89,7 @@ TEST(CameraModel, BehindTheCameraIsNoPixel) {
   const CameraModel model(Camera(kSome));
   EXPECT_FALSE(model.Project({0.1, 0.1, 0.0}));
   EXPECT_FALSE(model.Project({0.1, 0.1, -1.0}));
+  EXPECT_FALSE(model.ProjectWithJacobian({0.1, 0.1, 0.0}));
 }
 
 TEST(CameraModel, BeyondTheFoldThereIsNoRay) {

@@ -1,0 +1,181 @@
+#include "estimator/svin2/factors/marginalisation.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "sensors_models/base/check.h"
+#include "sensors_models/base/pose_manifold.h"
+
+namespace drydock::svin2 {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The normal equations: cost = 1/2 dx' H dx + b' dx.
+struct NormalEquations {
+  Eigen::MatrixXd H;
+  Eigen::VectorXd b;
+  std::vector<int> offsets;  ///< Where each block's tangent begins.
+};
+
+/// Residuals and their derivatives by the tangents of the term's blocks.
+struct Linearisation {
+  Eigen::VectorXd error;
+  std::vector<Eigen::MatrixXd> jacobians;
+};
+
+bool AllFinite(const Linearisation& linear) {
+  return linear.error.allFinite() &&
+         std::all_of(linear.jacobians.begin(), linear.jacobians.end(),
+                     [](const Eigen::MatrixXd& jacobian) { return jacobian.allFinite(); });
+}
+
+Eigen::MatrixXd ToTangent(const RowMajor& ambient, const BlockValues& block) {
+  if (block.size() != 7) return ambient;
+  Eigen::Matrix<double, 7, 6, Eigen::RowMajor> plus;
+  PoseManifold().PlusJacobian(block.data(), plus.data());
+  return ambient * plus;
+}
+
+/// Nothing (no residuals) where the term cannot be evaluated.
+Linearisation Linearise(const MarginalTerm& term, std::span<const BlockValues> blocks) {
+  const int rows = term.cost->num_residuals();
+  std::vector<const double*> parameters;
+  std::vector<RowMajor> ambient;
+  for (const std::size_t k : term.blocks) {
+    parameters.push_back(blocks[k].data());
+    ambient.emplace_back(RowMajor::Zero(rows, static_cast<int>(blocks[k].size())));
+  }
+  std::vector<double*> pointers;
+  pointers.reserve(ambient.size());
+  for (RowMajor& jacobian : ambient) pointers.push_back(jacobian.data());
+  Linearisation linear;
+  linear.error.resize(rows);
+  if (!term.cost->Evaluate(parameters.data(), linear.error.data(), pointers.data())) return {};
+
+  double weight = 1.0;
+  if (term.loss != nullptr) {
+    double rho[3];
+    term.loss->Evaluate(linear.error.squaredNorm(), rho);
+    weight = std::sqrt(std::max(0.0, rho[1]));
+  }
+  linear.error *= weight;
+  for (std::size_t k = 0; k < ambient.size(); ++k)
+    linear.jacobians.push_back(weight * ToTangent(ambient[k], blocks[term.blocks[k]]));
+  return AllFinite(linear) ? linear : Linearisation{};
+}
+
+NormalEquations Accumulate(std::span<const BlockValues> blocks,
+                           std::span<const MarginalTerm> terms) {
+  NormalEquations normal;
+  int size = 0;
+  for (const BlockValues& block : blocks) {
+    normal.offsets.push_back(size);
+    size += TangentSize(block);
+  }
+  normal.H.setZero(size, size);
+  normal.b.setZero(size);
+  for (const MarginalTerm& term : terms) {
+    const Linearisation linear = Linearise(term, blocks);
+    for (std::size_t i = 0; i < linear.jacobians.size(); ++i) {
+      const Eigen::MatrixXd& J_i = linear.jacobians[i];
+      const int at_i = normal.offsets[term.blocks[i]];
+      normal.b.segment(at_i, J_i.cols()) += J_i.transpose() * linear.error;
+      for (std::size_t j = 0; j < linear.jacobians.size(); ++j) {
+        const Eigen::MatrixXd& J_j = linear.jacobians[j];
+        normal.H.block(at_i, normal.offsets[term.blocks[j]], J_i.cols(), J_j.cols()) +=
+            J_i.transpose() * J_j;
+      }
+    }
+  }
+  return normal;
+}
+
+/// A positive semi-definite matrix as F' F, and a left inverse of F' on its range.
+struct Factorised {
+  Eigen::MatrixXd root;     ///< F, a row for each known direction.
+  Eigen::MatrixXd inverse;  ///< G with G F' = I, and G' G the pseudo-inverse.
+};
+
+Factorised Factorise(const Eigen::MatrixXd& H) {
+  constexpr double kUnknown = 1e-10;
+  // A diagonal of 0 belongs to a direction of which nothing is known; any scale will do.
+  const Eigen::VectorXd scale = H.diagonal().unaryExpr(
+      [](double value) { return value > 0.0 ? 1.0 / std::sqrt(value) : 1.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * H *
+                                                              scale.asDiagonal());
+  const Eigen::VectorXd& values = solver.eigenvalues();  // In ascending order.
+  const double limit = std::max(0.0, kUnknown * values[values.size() - 1]);
+  const auto known = static_cast<int>((values.array() > limit).count());
+  const Eigen::VectorXd roots = values.tail(known).cwiseSqrt();
+  const auto directions = solver.eigenvectors().rightCols(known).transpose();
+  Factorised factorised;
+  factorised.root = roots.asDiagonal() * directions * scale.cwiseInverse().asDiagonal();
+  factorised.inverse = roots.cwiseInverse().asDiagonal() * directions * scale.asDiagonal();
+  return factorised;
+}
+
+/// The rows outside [at, at + size) that the columns [at, at + size) of H touch.
+std::vector<int> CoupledRows(const Eigen::MatrixXd& H, int at, int size) {
+  std::vector<int> rows;
+  for (int row = 0; row < H.rows(); ++row) {
+    const bool own = row >= at && row < at + size;
+    if (!own && (H.row(row).segment(at, size).array() != 0.0).any()) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Minimises over the tangent [at, at + size); its rows and columns of H become 0.
+void Eliminate(NormalEquations& normal, int at, int size) {
+  const std::vector<int> rows = CoupledRows(normal.H, at, size);
+  const Eigen::MatrixXd inverse = Factorise(normal.H.block(at, at, size, size)).inverse;
+  const Eigen::MatrixXd coupling =
+      normal.H.middleCols(at, size)(rows, Eigen::all) * inverse.transpose();
+  normal.H(rows, rows) -= coupling * coupling.transpose();
+  normal.b(rows) -= coupling * (inverse * normal.b.segment(at, size));
+  normal.H.middleCols(at, size).setZero();
+  normal.H.middleRows(at, size).setZero();
+}
+
+std::vector<std::size_t> BlocksToEliminate(std::span<const BlockValues> blocks,
+                                           std::span<const std::size_t> kept) {
+  std::vector<std::size_t> eliminated;
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    if (std::find(kept.begin(), kept.end(), k) == kept.end()) eliminated.push_back(k);
+  std::stable_sort(eliminated.begin(), eliminated.end(), [&](std::size_t a, std::size_t b) {
+    return blocks[a].size() < blocks[b].size();
+  });
+  return eliminated;
+}
+
+}  // namespace
+
+LinearPrior Marginalise(std::span<const BlockValues> blocks, std::span<const MarginalTerm> terms,
+                        std::span<const std::size_t> kept) {
+  Check(!kept.empty(), "marginalisation must keep a block");
+  NormalEquations normal = Accumulate(blocks, terms);
+  for (const std::size_t k : BlocksToEliminate(blocks, kept))
+    Eliminate(normal, normal.offsets[k], TangentSize(blocks[k]));
+
+  LinearPrior prior;
+  std::vector<int> rows;
+  for (const std::size_t k : kept) {
+    prior.x0.push_back(blocks[k]);
+    for (int axis = 0; axis < TangentSize(blocks[k]); ++axis)
+      rows.push_back(normal.offsets[k] + axis);
+  }
+  const Eigen::MatrixXd H = normal.H(rows, rows);
+  const Factorised factorised = Factorise(0.5 * (H + H.transpose()));
+  prior.jacobian = factorised.root;
+  prior.error = factorised.inverse * normal.b(rows);
+  if (prior.error.size() == 0) {
+    prior.jacobian.setZero(1, H.cols());
+    prior.error.setZero(1);
+  }
+  return prior;
+}
+
+}  // namespace drydock::svin2
