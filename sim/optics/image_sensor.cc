@@ -81,8 +81,7 @@ void ImageSensor::Expose(const cv::Mat& radiance, const Exposure& exposure, std:
       for (std::size_t u = 0; u < samples; ++u)
         light[u] = in[static_cast<std::size_t>(channels) * u + static_cast<std::size_t>(k)];
       row.key = static_cast<std::uint32_t>(bits >> (16 * k));
-      const auto read = noise_ ? rows::Read : rows::ReadNoiseless;
-      read(row, width, light.data(), falloff_.ptr<float>(v), codes.data());
+      rows::Read(row, width, light.data(), falloff_.ptr<float>(v), codes.data());
       // OpenCV's order is blue, green, red.
       for (int u = 0; u < width; ++u)
         out[channels * u + channels - 1 - k] =

@@ -50,13 +50,4 @@ void Read(const SensorRow& given, int width, const float* light, const float* fa
   }
 }
 
-DRYDOCK_VECTOR_CLONES
-void ReadNoiseless(const SensorRow& given, int width, const float* light, const float* falloff,
-                   int* index) {
-  const SensorRow row = given;
-  const auto last = static_cast<float>(row.last_code);
-  DRYDOCK_NO_OVERLAP
-  for (int u = 0; u < width; ++u) index[u] = ToIndex(light[u] * falloff[u] * row.scale, last);
-}
-
 }  // namespace drydock::sim::rows

@@ -14,10 +14,8 @@ struct SensorRow {
   int last_code = 0;      ///< Index of full scale.
 };
 
-/// The square root of what each of `width` samples reads, in 0 .. last_code.
+/// The square root of what each of `width` samples reads, in 0 .. last_code. Without
+/// variances there is no noise.
 void Read(const SensorRow& row, int width, const float* light, const float* falloff, int* index);
-/// The same without noise.
-void ReadNoiseless(const SensorRow& row, int width, const float* light, const float* falloff,
-                   int* index);
 
 }  // namespace drydock::sim::rows

@@ -15,7 +15,7 @@ SonarEffects ReadSonarEffects(YamlReader& yaml) {
   return effects;
 }
 
-SonarSheet WithEffects(const SonarSheet& sheet, const SonarEffects& effects) {
+SonarSheet KeepEffects(const SonarSheet& sheet, const SonarEffects& effects) {
   SonarSheet out = sheet;
   if (!effects.footprint) out.beam_width_rad = 0.0;
   if (!effects.absorption) out.absorption_db_m = out.gain_absorption_db_m = 0.0;

@@ -23,6 +23,6 @@ struct SonarEffects {
 SonarEffects ReadSonarEffects(YamlReader& yaml);
 
 /// The sheet with the values of effects that are off set to zero.
-SonarSheet WithEffects(const SonarSheet& sheet, const SonarEffects& effects);
+SonarSheet KeepEffects(const SonarSheet& sheet, const SonarEffects& effects);
 
 }  // namespace drydock::sim

@@ -57,17 +57,19 @@ TEST(Exposure, TheShutterComesBeforeTheGain) {
 TEST(ImageSensor, CodesFollowTheGammaCurve) {
   ImagerSheet imager = LinearImager();
   imager.gamma = 2.2;
-  cv::Mat light(1, 4, CV_32FC1);
+  cv::Mat light(1, 5, CV_32FC1);
   light.at<float>(0, 0) = 0.F;
   light.at<float>(0, 1) = 0.001F;
   light.at<float>(0, 2) = 0.45F;
   light.at<float>(0, 3) = 7.F;  // Far beyond saturation.
+  light.at<float>(0, 4) = 0.1F;
   const cv::Mat image = Expose(imager, light, 2.0);
   ASSERT_EQ(image.type(), CV_8UC1);
   EXPECT_EQ(image.at<unsigned char>(0, 0), 0);
   EXPECT_NEAR(image.at<unsigned char>(0, 1), 255.0 * std::pow(0.002, 1 / 2.2), 0.6);
   EXPECT_NEAR(image.at<unsigned char>(0, 2), 255.0 * std::pow(0.9, 1 / 2.2), 0.6);
   EXPECT_EQ(image.at<unsigned char>(0, 3), 255);
+  EXPECT_NEAR(image.at<unsigned char>(0, 4), 255.0 * std::pow(0.2, 1 / 2.2), 0.6);
 }
 
 TEST(ImageSensor, ColourComesOutAsBgr) {

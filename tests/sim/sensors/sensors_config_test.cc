@@ -99,7 +99,7 @@ TEST(SensorsConfig, EffectsThatAreOffAreZeroInTheSheet) {
   const auto without = [&](bool SonarEffects::*effect) {
     SonarEffects effects;
     effects.*effect = false;
-    return WithEffects(sheet, effects);
+    return KeepEffects(sheet, effects);
   };
   EXPECT_EQ(without(&SonarEffects::footprint).beam_width_rad, 0.0);
   EXPECT_EQ(without(&SonarEffects::footprint).absorption_db_m, 1.0);
