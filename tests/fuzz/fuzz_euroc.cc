@@ -60,7 +60,7 @@ void Record(const fs::path& target) {
   for (int k = 0; k < 3; ++k) {
     const Time t{k * 100'000'000};
     writer.Add({t, t, ImuSample{{0, 0, 0.1 * k}, {0, 0, 9.81}}});
-    writer.Add({t, t + Duration{1000}, SonarPing{0.5 * k, 1.0 * k, 0.5}});
+    writer.Add({t, t + Duration{1000}, SonarPing{0.5 * k, 1.0 * k, 0.5, 1.0 * k, {}}});
     writer.Add({t, t + Duration{2000}, DepthSample{6.0}});
     const cv::Mat image(16, 16, CV_8UC1, cv::Scalar(50.0 * k));
     writer.Add({t, t + Duration{3000}, StereoFrame{k, {image, image}}});
