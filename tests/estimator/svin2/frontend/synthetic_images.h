@@ -37,7 +37,7 @@ class Texture {
   }
 
  private:
-  static constexpr int kWaves = 60;
+  static constexpr int kWaves = 24;
   struct Wave {
     double kx, ky, phase;
   };
