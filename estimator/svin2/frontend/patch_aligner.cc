@@ -121,7 +121,7 @@ std::optional<PatchAlignment> AlignPatch(const cv::Mat& from, const Eigen::Vecto
   std::vector<double> values;
   values.reserve(sought->values.size());
   // Brightness and contrast are solved for in full at each step: found = c * sought + b.
-  for (int iteration = 0; iteration < 15; ++iteration) {
+  for (int iteration = 0; iteration < 10; ++iteration) {
     if (!Sample(to, shift, A, radius, values)) return std::nullopt;
     Vector8d right = Vector8d::Zero();
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -140,7 +140,7 @@ std::optional<PatchAlignment> AlignPatch(const cv::Mat& from, const Eigen::Vecto
     // The found patch is the sought one moved by (d, D): move the other way.
     A = A * inverse;
     shift -= A * d;
-    if (d.norm() < 0.005) {
+    if (d.norm() < 0.01) {
       if (!Sample(to, shift, A, radius, values)) return std::nullopt;
       return PatchAlignment{shift, Correlation(*sought, values)};
     }

@@ -35,7 +35,9 @@ class PatchTracker {
     int levels = 4;      ///< Of the pyramid, each half as large as the one before.
     double max_forward_backward_px = 0.5;
     int patch_radius_px = 8;  ///< Of the final alignment, 2 r + 1 squared; 0: none of it.
-    bool affine = true;       ///< The patch may turn, stretch and shear; else only shift.
+    /// The patch may turn, stretch and shear; else only shift. From frame to frame there is little
+    /// of that, and the four numbers cost accuracy: for patches that were first seen long ago.
+    bool affine = false;
     double min_correlation = 0.8;
     double max_align_px = 1.5;  ///< An alignment that moves further has gone astray.
   };

@@ -84,6 +84,7 @@ TEST(CornerDetector, SpreadsCornersWithinTheBudget) {
   CornerDetector::Config config;
   config.radius_px = 25.0;
   config.max_corners = 150;
+  config.min_score = 1e-4;
   config.refine_radius_px = 0;
   const auto corners = CornerDetector(config).Detect(image);
   EXPECT_EQ(corners.size(), 150U);

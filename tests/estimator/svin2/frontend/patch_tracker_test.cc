@@ -92,7 +92,7 @@ TEST(PatchTracker, FollowsAffineDeformation) {
   const double angle = 0.07;
   warp.A << 1.05 * std::cos(angle), -std::sin(angle) + 0.02, 1.05 * std::sin(angle),
       std::cos(angle);
-  const Errors errors = TrackAcross(warp, After(warp));
+  const Errors errors = TrackAcross(warp, After(warp), {.affine = true});
   EXPECT_GE(errors.tracked, 28U);
   EXPECT_LT(errors.rms, 0.1);
 }
