@@ -113,6 +113,7 @@ TEST(PatchTracker, APredictionHelpsFarShifts) {
     EXPECT_FALSE(track.IsTracked() && (track.pixel - warp(pixels[0])).norm() < 1.0);
   }
   std::vector<Eigen::Vector2d> predicted;
+  predicted.reserve(pixels.size());
   for (const auto& pixel : pixels) predicted.push_back(warp(pixel) + Eigen::Vector2d(1.5, -1.0));
   const auto tracks = tracker.Track(from, to, pixels, predicted);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
