@@ -1,0 +1,40 @@
+#include "estimator/svin2/frontend/stereo_geometry.h"
+
+#include <cmath>
+
+namespace drydock::svin2 {
+
+std::optional<double> EpipolarDistance(const CameraModel& a, const Eigen::Vector2d& pixel_a,
+                                       const CameraModel& b, const Eigen::Vector2d& pixel_b,
+                                       const Pose& T_BA) {
+  const auto ideal_a = a.Unproject(pixel_a);
+  const auto ideal_b = b.Unproject(pixel_b);
+  if (!ideal_a.has_value() || !ideal_b.has_value()) return std::nullopt;
+  // The plane of both centres and the ray, as its normal in b; it cuts z = 1 in the line.
+  const Eigen::Vector3d normal = T_BA.p().cross(T_BA.q() * ideal_a->homogeneous());
+  const double length = normal.head<2>().norm();
+  if (!(length > 1e-9 * T_BA.p().norm())) return std::nullopt;
+  // In pixels across the line: x and y are stretched by their own focal lengths.
+  const Eigen::Vector2d across(normal.x() / b.intrinsics().fx, normal.y() / b.intrinsics().fy);
+  return std::abs(normal.dot(ideal_b->homogeneous())) / across.norm();
+}
+
+StereoGeometry::StereoGeometry(const StereoSheet& sheet)
+    : cameras_{CameraModel(sheet.cameras[0]), CameraModel(sheet.cameras[1])},
+      T_IC_(sheet.T_IC),
+      T_C1C0_(sheet.T_IC[1].Inverse() * sheet.T_IC[0]) {}
+
+std::optional<double> StereoGeometry::EpipolarDistance(const Eigen::Vector2d& left,
+                                                       const Eigen::Vector2d& right) const {
+  return svin2::EpipolarDistance(cameras_[0], left, cameras_[1], right, T_C1C0_);
+}
+
+std::optional<Eigen::Vector2d> StereoGeometry::Transfer(const Eigen::Vector2d& left,
+                                                        double inverse_depth) const {
+  const auto ideal = cameras_[0].Unproject(left);
+  if (!ideal.has_value()) return std::nullopt;
+  // The point times its inverse depth: the same pixel, and infinity is no exception.
+  return cameras_[1].Project(T_C1C0_.q() * ideal->homogeneous() + inverse_depth * T_C1C0_.p());
+}
+
+}  // namespace drydock::svin2

@@ -1,0 +1,118 @@
+#include "estimator/svin2/frontend/stereo_matcher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sensors_models/base/check.h"
+
+namespace drydock::svin2 {
+namespace {
+
+bool HasPatch(const cv::Mat& image, const cv::Point& at, int radius) {
+  return at.x >= radius && at.y >= radius && at.x < image.cols - radius &&
+         at.y < image.rows - radius;
+}
+
+// Of the grey values of two square patches; 0 where one of them is blank.
+double Correlation(const cv::Mat& a, const cv::Point& at_a, const cv::Mat& b, const cv::Point& at_b,
+                   int radius) {
+  std::int64_t sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
+  for (int y = -radius; y <= radius; ++y) {
+    const auto* row_a = a.ptr<std::uint8_t>(at_a.y + y) + at_a.x;
+    const auto* row_b = b.ptr<std::uint8_t>(at_b.y + y) + at_b.x;
+    for (int x = -radius; x <= radius; ++x) {
+      const int va = row_a[x], vb = row_b[x];
+      sum_a += va;
+      sum_b += vb;
+      aa += va * va;
+      bb += vb * vb;
+      ab += va * vb;
+    }
+  }
+  const std::int64_t n = (2 * radius + 1) * (2 * radius + 1);
+  const auto energy_a = static_cast<double>(n * aa - sum_a * sum_a);
+  const auto energy_b = static_cast<double>(n * bb - sum_b * sum_b);
+  if (energy_a <= 0.0 || energy_b <= 0.0) return 0.0;
+  return static_cast<double>(n * ab - sum_a * sum_b) / std::sqrt(energy_a * energy_b);
+}
+
+cv::Point Rounded(const Eigen::Vector2d& pixel) {
+  return {static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))};
+}
+
+}  // namespace
+
+StereoMatcher::StereoMatcher(const Config& config, const StereoGeometry& geometry,
+                             const PatchTracker& tracker)
+    : config_(config), geometry_(geometry), tracker_(tracker) {
+  RequireInput(config.min_depth_m > 0.0, "min_depth_m is {}; it must be positive",
+               config.min_depth_m);
+  RequireInput(config.search_level >= 0 && config.search_radius_px >= 1,
+               "search_level is {} and search_radius_px {}; at least 0 and 1 are needed",
+               config.search_level, config.search_radius_px);
+}
+
+std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const cv::Mat& right,
+                                                     double scale,
+                                                     const Eigen::Vector2d& pixel) const {
+  const int radius = config_.search_radius_px;
+  const cv::Point at_left = Rounded(pixel / scale);
+  const auto nearest = geometry_.Transfer(pixel, 1.0 / config_.min_depth_m);
+  const auto farthest = geometry_.Transfer(pixel, 0.0);
+  if (!nearest.has_value() || !farthest.has_value() || !HasPatch(left, at_left, radius)) {
+    return std::nullopt;
+  }
+  // One step a pixel of this level; pixels go nearly evenly with inverse depth.
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil((*nearest - *farthest).norm() / scale)), 1, 1000);
+  std::optional<Eigen::Vector2d> best;
+  double best_correlation = config_.min_search_correlation;
+  for (int step = 0; step <= steps; ++step) {
+    const auto candidate = geometry_.Transfer(pixel, step / (steps * config_.min_depth_m));
+    if (!candidate.has_value()) continue;
+    const cv::Point at_right = Rounded(*candidate / scale);
+    if (!HasPatch(right, at_right, radius)) continue;
+    const double correlation = Correlation(left, at_left, right, at_right, radius);
+    if (correlation <= best_correlation) continue;
+    best_correlation = correlation;
+    best = candidate;
+  }
+  return best;
+}
+
+std::vector<PatchTrack> StereoMatcher::Match(
+    const PatchTracker::Pyramid& left, const PatchTracker::Pyramid& right,
+    const std::vector<Eigen::Vector2d>& pixels,
+    const std::vector<std::optional<double>>& inverse_depths) const {
+  Check(pixels.size() == inverse_depths.size(), "{} pixels but {} inverse depths", pixels.size(),
+        inverse_depths.size());
+  const int level = std::min({config_.search_level, static_cast<int>(left.size()) - 1,
+                              static_cast<int>(right.size()) - 1});
+  const double scale = std::ldexp(1.0, level);
+  std::vector<PatchTrack> tracks(pixels.size());
+  std::vector<Eigen::Vector2d> sought, predicted;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto start = inverse_depths[i].has_value()
+                           ? geometry_.Transfer(pixels[i], *inverse_depths[i])
+                           : Search(left[level], right[level], scale, pixels[i]);
+    if (!start.has_value()) continue;
+    sought.push_back(pixels[i]);
+    predicted.push_back(*start);
+    places.push_back(i);
+  }
+  const auto found = tracker_.Track(left, right, sought, predicted);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    PatchTrack& track = tracks[places[i]];
+    track = found[i];
+    if (!track.IsTracked()) continue;
+    const auto distance = geometry_.EpipolarDistance(sought[i], track.pixel);
+    if (!distance.has_value() || *distance > config_.max_epipolar_px) {
+      track.status = TrackStatus::kOffEpipolar;
+    }
+  }
+  return tracks;
+}
+
+}  // namespace drydock::svin2
