@@ -1,0 +1,267 @@
+#include "estimator/svin2/window/sliding_window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "estimator/svin2/factors/imu_factor.h"
+#include "estimator/svin2/factors/reprojection_factor.h"
+#include "sensors_models/base/check.h"
+
+namespace drydock::svin2 {
+namespace {
+
+ImuBias BiasOf(const NavState& state) { return {state.gyro_bias, state.accel_bias}; }
+
+SpeedBias SpeedBiasOf(const NavState& state) { return {state.v_W, BiasOf(state)}; }
+
+Eigen::Matrix<double, 6, 6> StartWhitening(const StartSigmas& sigmas) {
+  Vector6d all;
+  all << sigmas.position, sigmas.position, sigmas.position, sigmas.roll_pitch, sigmas.roll_pitch,
+      sigmas.yaw;
+  return PoseWhitening(all);
+}
+
+}  // namespace
+
+SlidingWindow::SlidingWindow(const WindowConfig& config, const StereoGeometry& geometry)
+    : config_(config), geometry_(geometry) {}
+
+void SlidingWindow::Start(const NavState& state, const StartSigmas& sigmas,
+                          const TrackedFrame& seen) {
+  Check(!IsStarted(), "the window has been started already");
+  const Frame& frame = AddState(state, seen);
+  graph_.AddFactor(std::make_unique<PosePriorFactor>(state.T_WI, StartWhitening(sigmas)),
+                   {frame.pose});
+  graph_.AddFactor(std::make_unique<SpeedBiasPriorFactor>(SpeedBiasOf(state), sigmas.speed_bias),
+                   {*frame.speed_bias});
+  AddObservations(frame, seen);
+}
+
+void SlidingWindow::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
+  const Frame before = frames_.back();
+  Frame& frame = AddState(Predict(imu), seen);
+  Link(before, frame, imu);
+  AddObservations(frame, seen);
+}
+
+void SlidingWindow::Link(const Frame& before, Frame& frame, const ImuPreintegration& imu) {
+  const FactorId factor =
+      graph_.AddFactor(std::make_unique<ImuFactor>(imu),
+                       {before.pose, *before.speed_bias, frame.pose, *frame.speed_bias});
+  frame.imu = ImuLink{factor, imu};
+}
+
+SlidingWindow::Frame& SlidingWindow::AddState(const NavState& state, const TrackedFrame& seen) {
+  Frame frame;
+  frame.index = next_index_++;
+  frame.t = state.t;
+  frame.is_keyframe = seen.is_keyframe;
+  frame.pose = graph_.AddPose(state.T_WI);
+  frame.speed_bias = graph_.AddBlock(ToParameters(SpeedBiasOf(state)));
+  frames_.push_back(frame);
+  return frames_.back();
+}
+
+void SlidingWindow::AddObservations(const Frame& frame, const TrackedFrame& seen) {
+  for (const TrackedPoint& tracked : seen.points) {
+    Point& point = points_[tracked.id];
+    const auto add = [&](int camera, const Eigen::Vector2d& pixel) {
+      point.observations.push_back({frame.index, camera, pixel, tracked.sigma_px, std::nullopt});
+      if (point.landmark) AddReprojection(point, point.observations.back());
+    };
+    add(0, tracked.left);
+    if (tracked.right) add(1, *tracked.right);
+  }
+}
+
+void SlidingWindow::AddReprojection(Point& point, Observation& observation) {
+  const int camera = observation.camera;
+  observation.factor = graph_.AddFactor(
+      std::make_unique<ReprojectionFactor>(geometry_.camera(camera), geometry_.T_IC(camera),
+                                           observation.pixel, observation.sigma_px),
+      {FrameAt(observation.frame).pose, *point.landmark}, config_.cauchy_scale);
+}
+
+void SlidingWindow::TriangulateNewLandmarks() {
+  const std::int64_t newest = frames_.back().index;
+  for (auto& [id, point] : points_) {
+    if (point.landmark || point.observations.size() < 2) continue;
+    if (point.observations.back().frame != newest) continue;
+    std::vector<View> views;
+    for (const Observation& seen : point.observations) {
+      views.push_back({&geometry_.camera(seen.camera),
+                       graph_.PoseOf(FrameAt(seen.frame).pose) * geometry_.T_IC(seen.camera),
+                       seen.pixel, seen.sigma_px});
+    }
+    const Triangulation found = Triangulate(views, config_.triangulation);
+    if (!found.IsGood()) continue;
+    point.landmark = graph_.AddBlock({found.p_W.data(), 3});
+    for (Observation& seen : point.observations) AddReprojection(point, seen);
+  }
+}
+
+void SlidingWindow::AddDepth(Time t, DepthObservation observation,
+                             const DepthReference& reference) {
+  const Frame* nearest = nullptr;
+  const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
+  for (const Frame& frame : frames_) {
+    if (!frame.speed_bias) continue;
+    if (nearest == nullptr || distance(frame) < distance(*nearest)) nearest = &frame;
+  }
+  if (nearest == nullptr) return;
+  observation.since_frame = t - nearest->t;
+  graph_.AddFactor(std::make_unique<DepthFactor>(observation, reference),
+                   {nearest->pose, *nearest->speed_bias});
+}
+
+SolverReport SlidingWindow::Optimise() {
+  RenewImuFactors();
+  TriangulateNewLandmarks();
+  const SolverReport report = graph_.Optimise(config_.solver);
+  RejectOutliers();
+  return report;
+}
+
+void SlidingWindow::RenewImuFactors() {
+  for (std::size_t k = 1; k < frames_.size(); ++k) {
+    if (!frames_[k].imu) continue;
+    const ImuBias bias = BiasOf(StateOf(frames_[k - 1]));
+    if (!frames_[k].imu->preintegration.NeedsReintegration(bias)) continue;
+    const ImuPreintegration anew = frames_[k].imu->preintegration.IntegratedAt(bias);
+    graph_.RemoveFactor(frames_[k].imu->factor);
+    Link(frames_[k - 1], frames_[k], anew);
+  }
+}
+
+void SlidingWindow::RejectOutliers() {
+  for (auto& [id, point] : points_) {
+    if (!point.landmark) continue;
+    std::erase_if(point.observations, [&](const Observation& seen) {
+      if (graph_.ChiSquare(*seen.factor) <= config_.max_reprojection_chi2) return false;
+      graph_.RemoveFactor(*seen.factor);
+      return true;
+    });
+  }
+  DropUnseenPoints();
+}
+
+void SlidingWindow::DropObservations(std::int64_t frame) {
+  for (auto& [id, point] : points_) {
+    std::erase_if(point.observations, [&](const Observation& seen) {
+      if (seen.frame != frame) return false;
+      if (seen.factor) graph_.RemoveFactor(*seen.factor);
+      return true;
+    });
+  }
+  DropUnseenPoints();
+}
+
+void SlidingWindow::DropUnseenPoints() {
+  for (auto at = points_.begin(); at != points_.end();) {
+    const Point& point = at->second;
+    const std::size_t needed = point.landmark ? 2 : 1;
+    if (point.observations.size() >= needed) {
+      ++at;
+      continue;
+    }
+    if (point.landmark) graph_.RemoveBlock(*point.landmark);
+    at = points_.erase(at);
+  }
+}
+
+void SlidingWindow::Slide() {
+  while (NumRecent() > config_.recent_frames) {
+    const auto oldest = std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) {
+      return frame.speed_bias.has_value();
+    });
+    if (oldest->is_keyframe) {
+      const std::array<BlockId, 1> gone = {*oldest->speed_bias};
+      graph_.Marginalise(gone);
+      oldest->speed_bias.reset();
+      (oldest + 1)->imu.reset();
+    } else {
+      DropObservations(oldest->index);
+      const std::array<BlockId, 2> gone = {oldest->pose, *oldest->speed_bias};
+      graph_.Marginalise(gone);
+      (oldest + 1)->imu.reset();
+      frames_.erase(oldest);
+    }
+  }
+  while (static_cast<int>(frames_.size()) - NumRecent() > config_.keyframes) {
+    MarginaliseKeyframe(frames_.front());
+    frames_.pop_front();
+  }
+}
+
+void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
+  const std::int64_t first_recent =
+      frames_[frames_.size() - static_cast<std::size_t>(NumRecent())].index;
+  std::vector<BlockId> gone;
+  for (auto at = points_.begin(); at != points_.end();) {
+    Point& point = at->second;
+    const bool seen_there =
+        !point.observations.empty() && point.observations.front().frame == frame.index;
+    const bool lives =
+        !point.observations.empty() && point.observations.back().frame >= first_recent;
+    if (seen_there && !lives && point.landmark) {
+      gone.push_back(*point.landmark);
+      at = points_.erase(at);
+    } else {
+      ++at;
+    }
+  }
+  DropObservations(frame.index);
+  gone.push_back(frame.pose);
+  graph_.Marginalise(gone);
+}
+
+const SlidingWindow::Frame& SlidingWindow::FrameAt(std::int64_t index) const {
+  return *std::lower_bound(frames_.begin(), frames_.end(), index,
+                           [](const Frame& frame, std::int64_t at) { return frame.index < at; });
+}
+
+int SlidingWindow::NumRecent() const {
+  return static_cast<int>(std::count_if(frames_.begin(), frames_.end(), [](const Frame& frame) {
+    return frame.speed_bias.has_value();
+  }));
+}
+
+NavState SlidingWindow::StateOf(const Frame& frame) const {
+  const SpeedBias speed_bias = SpeedBiasFromParameters(graph_.Values(*frame.speed_bias).data());
+  return {frame.t, graph_.PoseOf(frame.pose), speed_bias.v_W, speed_bias.bias.gyro,
+          speed_bias.bias.accel};
+}
+
+NavState SlidingWindow::Latest() const { return StateOf(frames_.back()); }
+
+std::optional<Eigen::Matrix<double, 6, 6>> SlidingWindow::LatestCovariance() const {
+  const auto covariance = graph_.CovarianceOf(frames_.back().pose);
+  if (!covariance) return std::nullopt;
+  return Eigen::Matrix<double, 6, 6>(*covariance);
+}
+
+NavState SlidingWindow::Predict(const ImuPreintegration& imu) const {
+  return Propagate(Latest(), imu);
+}
+
+std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) const {
+  const auto at = points_.find(id);
+  if (at == points_.end() || !at->second.landmark) return std::nullopt;
+  return Eigen::Map<const Eigen::Vector3d>(graph_.Values(*at->second.landmark).data());
+}
+
+std::vector<Eigen::Vector3d> SlidingWindow::LandmarkPositions() const {
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& [id, point] : points_)
+    if (const auto position = LandmarkPosition(id)) positions.push_back(*position);
+  return positions;
+}
+
+int SlidingWindow::LandmarksInView() const {
+  return static_cast<int>(std::count_if(points_.begin(), points_.end(), [&](const auto& entry) {
+    const Point& point = entry.second;
+    return point.landmark && point.observations.back().frame == frames_.back().index;
+  }));
+}
+
+}  // namespace drydock::svin2

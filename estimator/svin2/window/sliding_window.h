@@ -1,0 +1,115 @@
+// The states that are being estimated: some keyframes, the most recent frames, and the landmarks
+// that they see (paper, "Tightly-coupled non-linear optimisation").
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "estimator/interface/estimator.h"
+#include "estimator/svin2/factors/depth_factor.h"
+#include "estimator/svin2/factors/prior_factors.h"
+#include "estimator/svin2/frontend/stereo_geometry.h"
+#include "estimator/svin2/frontend/tracked_frame.h"
+#include "estimator/svin2/frontend/triangulation.h"
+#include "estimator/svin2/graph/factor_graph.h"
+#include "estimator/svin2/preintegration/imu_preintegration.h"
+#include "estimator/svin2/window/propagate.h"
+
+namespace drydock::svin2 {
+
+struct WindowConfig {
+  int keyframes = 5;      ///< Beside the recent frames.
+  int recent_frames = 3;  ///< With velocity and biases.
+  SolverLimits solver;
+  double cauchy_scale = 1.0;            ///< Of a keypoint's robust loss, in standard deviations.
+  double max_reprojection_chi2 = 16.0;  ///< An observation worse than this is taken away.
+  TriangulationConfig triangulation;
+};
+
+/// How well the first state is known.
+struct StartSigmas {
+  double position = 1e-4;      ///< Of x and y, and z where there is no depth [m]: defines W.
+  double yaw = 1e-4;           ///< [rad]: defines W.
+  double roll_pitch = 0.02;    ///< [rad]
+  SpeedBiasSigmas speed_bias;  ///< Of velocity and biases.
+};
+
+/// Keeps the factor graph of a sliding window. Frames come in order of time.
+class SlidingWindow {
+ public:
+  SlidingWindow(const WindowConfig& config, const StereoGeometry& geometry);
+
+  /// Begins with one state and what its frame saw.
+  void Start(const NavState& state, const StartSigmas& sigmas, const TrackedFrame& seen);
+  bool IsStarted() const { return !frames_.empty(); }
+
+  /// Adds the next frame, which `imu` links to the last one, at the state that the IMU predicts.
+  void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
+  /// Ties a pressure reading taken at `t` to the frame nearest to it.
+  void AddDepth(Time t, DepthObservation observation, const DepthReference& reference);
+
+  /// Moves all states to where measurements agree best, and takes away observations that do not.
+  SolverReport Optimise();
+  /// Marginalises what is beyond the window's size.
+  void Slide();
+
+  NavState Latest() const;
+  std::optional<Eigen::Matrix<double, 6, 6>> LatestCovariance() const;
+  /// The latest state carried on by `imu`.
+  NavState Predict(const ImuPreintegration& imu) const;
+  std::optional<Eigen::Vector3d> LandmarkPosition(LandmarkId id) const;
+  std::vector<Eigen::Vector3d> LandmarkPositions() const;
+  int NumFrames() const { return static_cast<int>(frames_.size()); }
+  /// Landmarks that the latest frame sees.
+  int LandmarksInView() const;
+
+ private:
+  struct ImuLink {
+    FactorId factor;
+    ImuPreintegration preintegration;
+  };
+  struct Frame {
+    std::int64_t index = 0;
+    Time t;
+    bool is_keyframe = false;
+    BlockId pose;
+    std::optional<BlockId> speed_bias;
+    std::optional<ImuLink> imu;  // From the frame before.
+  };
+  struct Observation {
+    std::int64_t frame = 0;
+    int camera = 0;
+    Eigen::Vector2d pixel;
+    double sigma_px = 1.0;
+    std::optional<FactorId> factor;  // Where the point is a landmark.
+  };
+  struct Point {
+    std::optional<BlockId> landmark;  // Nothing until it can be triangulated.
+    std::vector<Observation> observations;
+  };
+
+  Frame& AddState(const NavState& state, const TrackedFrame& seen);
+  void AddObservations(const Frame& frame, const TrackedFrame& seen);
+  void TriangulateNewLandmarks();
+  void AddReprojection(Point& point, Observation& observation);
+  void Link(const Frame& before, Frame& frame, const ImuPreintegration& imu);
+  void RenewImuFactors();
+  void RejectOutliers();
+  void DropObservations(std::int64_t frame);
+  void DropUnseenPoints();
+  void MarginaliseKeyframe(const Frame& frame);
+  const Frame& FrameAt(std::int64_t index) const;
+  int NumRecent() const;
+  NavState StateOf(const Frame& frame) const;
+
+  WindowConfig config_;
+  StereoGeometry geometry_;
+  FactorGraph graph_;
+  std::deque<Frame> frames_;  // The oldest first.
+  std::map<LandmarkId, Point> points_;
+  std::int64_t next_index_ = 0;
+};
+
+}  // namespace drydock::svin2

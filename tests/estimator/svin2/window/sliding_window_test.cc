@@ -1,0 +1,183 @@
+#include "estimator/svin2/window/sliding_window.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "tests/estimator/svin2/synthetic_motion.h"
+#include "tests/estimator/svin2/synthetic_tracks.h"
+
+namespace drydock::svin2 {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr Duration kFramePeriod{66'666'667};
+constexpr Duration kImuPeriod{1'000'000};  // Fine, so that integration leaves no error to speak of.
+
+Time FrameTime(int k) { return Time{} + Duration{k * kFramePeriod.ns}; }
+
+/// Carries a window along the synthetic motion.
+class WindowRun {
+ public:
+  explicit WindowRun(int landmarks = 300, double sigma_px = 0.0, const WindowConfig& config = {})
+      : tracks(landmarks, sigma_px), window(config, StereoGeometry(SyntheticStereo())) {}
+
+  void Start(const NavState& state) { window.Start(state, {}, See(0)); }
+
+  ImuPreintegration Imu(int k) const {
+    const Time begin = FrameTime(k - 1), end = FrameTime(k);
+    const NavState latest = window.Latest();
+    return *ImuPreintegration::Over(
+        testing::MotionSamples(begin, end, kImuPeriod, gyro_bias, accel_bias), begin, end,
+        {latest.gyro_bias, latest.accel_bias}, ImuNoiseModel{});
+  }
+
+  TrackedFrame See(int k) {
+    TrackedFrame seen = tracks.See(FrameTime(k), testing::MotionAt(FrameTime(k)).T_WI);
+    if (change) change(k, seen);
+    return seen;
+  }
+
+  void Step(int k) {
+    window.AddFrame(See(k), Imu(k));
+    window.Optimise();
+    window.Slide();
+  }
+
+  void RunTo(int last) {
+    Start(testing::MotionAt(Time{}));
+    for (int k = 1; k <= last; ++k) Step(k);
+  }
+
+  double PositionError(int k) const {
+    return (window.Latest().T_WI.p() - testing::MotionAt(FrameTime(k)).T_WI.p()).norm();
+  }
+
+  static StereoSheet SyntheticStereo() { return testing::SyntheticStereo(); }
+
+  testing::SyntheticTracks tracks;
+  SlidingWindow window;
+  std::function<void(int k, TrackedFrame& seen)> change;
+  Vector3d gyro_bias = Vector3d::Zero(), accel_bias = Vector3d::Zero();
+};
+
+TEST(SlidingWindow, StaysAtTheTruthWithoutNoise) {
+  WindowRun run;
+  run.RunTo(75);
+  const NavState truth = testing::MotionAt(FrameTime(75));
+  const NavState latest = run.window.Latest();
+  EXPECT_EQ(latest.t, truth.t);
+  // What is left is the IMU's trapezoidal rule at 1 kHz.
+  EXPECT_LT(latest.T_WI.BoxMinus(truth.T_WI).norm(), 1e-5);
+  EXPECT_LT((latest.v_W - truth.v_W).norm(), 1e-4);
+}
+
+TEST(SlidingWindow, FindsGyroBiasAndVelocityFromAWrongStart) {
+  WindowRun run;
+  run.gyro_bias = {0.01, -0.005, 0.008};
+  run.accel_bias = {0.03, -0.02, 0.04};
+  NavState start = testing::MotionAt(Time{});
+  start.v_W += Vector3d(0.3, -0.2, 0.1);
+  run.Start(start);
+  for (int k = 1; k <= 75; ++k) run.Step(k);
+  const NavState latest = run.window.Latest();
+  EXPECT_LT((latest.gyro_bias - run.gyro_bias).norm(), 2e-4);
+  EXPECT_LT((latest.v_W - testing::MotionAt(FrameTime(75)).v_W).norm(), 2e-3);
+  EXPECT_LT(run.PositionError(75), 5e-3);
+}
+
+TEST(SlidingWindow, KeepsItsSize) {
+  WindowRun run;
+  run.RunTo(75);
+  const std::size_t landmarks = run.window.LandmarkPositions().size();
+  EXPECT_GT(landmarks, 50U);
+  EXPECT_LE(landmarks, 300U);
+  EXPECT_LE(run.window.NumFrames(), 8);
+  EXPECT_GE(run.window.NumFrames(), 3);
+  EXPECT_GT(run.window.LandmarksInView(), 30);
+}
+
+TEST(SlidingWindow, NoiseGivesTheErrorThatItsCovarianceSays) {
+  double sum = 0.0;
+  constexpr int kRuns = 10;
+  for (int seed = 0; seed < kRuns; ++seed) {
+    WindowRun run(300, 0.5);
+    run.tracks = testing::SyntheticTracks(300, 0.5, static_cast<std::uint64_t>(seed) + 1);
+    run.RunTo(45);
+    const auto covariance = run.window.LatestCovariance();
+    ASSERT_TRUE(covariance.has_value());
+    const Vector6d error = run.window.Latest().T_WI.BoxMinus(testing::MotionAt(FrameTime(45)).T_WI);
+    sum += error.dot(covariance->ldlt().solve(error));
+  }
+  // 60 degrees of freedom; the IMU is exact, so that errors are smaller than its noise allows.
+  EXPECT_LT(sum / (6 * kRuns), 1.5);
+  EXPECT_GT(sum / (6 * kRuns), 0.05);
+}
+
+TEST(SlidingWindow, CarriesOnByInertiaWithoutPoints) {
+  WindowRun run;
+  run.change = [](int k, TrackedFrame& seen) {
+    if (k > 30 && k <= 60) {
+      seen.points.clear();
+      seen.is_keyframe = false;
+    }
+  };
+  run.RunTo(60);
+  EXPECT_EQ(run.window.LandmarksInView(), 0);
+  EXPECT_LT(run.PositionError(60), 5e-3);
+  for (int k = 61; k <= 75; ++k) run.Step(k);
+  EXPECT_GT(run.window.LandmarksInView(), 30);
+  EXPECT_LT(run.PositionError(75), 5e-3);
+}
+
+TEST(SlidingWindow, OutliersDoNotMoveIt) {
+  WindowRun run;
+  run.change = [](int k, TrackedFrame& seen) {
+    for (TrackedPoint& point : seen.points)
+      if ((point.id + static_cast<unsigned>(k)) % 7 == 0) point.left.x() += 25.0;
+  };
+  run.RunTo(45);
+  EXPECT_LT(run.PositionError(45), 2e-3);
+}
+
+TEST(SlidingWindow, DepthHoldsTheHeight) {
+  // The IMU's accelerometer is biased upwards and nothing is seen: only pressure can tell.
+  const Vector3d p_ID(-0.28, -0.02, 0.03);
+  const auto height_error = [&](bool with_depth) {
+    WindowRun run;
+    run.accel_bias = {0.0, 0.0, 0.05};
+    run.change = [](int k, TrackedFrame& seen) {
+      if (k > 5) seen.points.clear();
+    };
+    run.Start(testing::MotionAt(Time{}));
+    const auto depth_at = [&](Time t) { return 6.0 - (testing::MotionAt(t).T_WI * p_ID).z(); };
+    const DepthReference reference{depth_at(Time{}), 6.0 - depth_at(Time{})};
+    for (int k = 1; k <= 60; ++k) {
+      run.window.AddFrame(run.See(k), run.Imu(k));
+      if (with_depth && k % 15 == 0) {
+        run.window.AddDepth(FrameTime(k), {depth_at(FrameTime(k)), p_ID, {}, 2e-3}, reference);
+      }
+      run.window.Optimise();
+      run.window.Slide();
+    }
+    return std::abs(run.window.Latest().T_WI.p().z() -
+                    testing::MotionAt(FrameTime(60)).T_WI.p().z());
+  };
+  EXPECT_GT(height_error(false), 0.05);
+  EXPECT_LT(height_error(true), 5e-3);
+}
+
+TEST(SlidingWindow, SameInputsSameBytes) {
+  WindowRun first(300, 0.5), second(300, 0.5);
+  first.RunTo(30);
+  second.RunTo(30);
+  const NavState a = first.window.Latest(), b = second.window.Latest();
+  EXPECT_EQ(a.T_WI.p(), b.T_WI.p());
+  EXPECT_EQ(a.T_WI.q().coeffs(), b.T_WI.q().coeffs());
+  EXPECT_EQ(a.v_W, b.v_W);
+}
+
+}  // namespace
+}  // namespace drydock::svin2
