@@ -1,0 +1,32 @@
+// What the visual front end has to say about one stereo frame.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sensors_models/base/time.h"
+
+namespace drydock::svin2 {
+
+/// Counts up from 1 and is never used again.
+using LandmarkId = std::uint64_t;
+
+struct TrackedPoint {
+  LandmarkId id = 0;
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
+  std::optional<Eigen::Vector2d> right;            ///< Where stereo found it in this frame.
+  double sigma_px = 1.0;                           ///< Standard deviation of each coordinate.
+};
+
+struct TrackedFrame {
+  Time t;
+  std::vector<TrackedPoint> points;  ///< Sorted by id.
+  bool is_keyframe = false;
+  // For health:
+  int tracked = 0;          ///< Points that were known before this frame.
+  int empty_quadrants = 0;  ///< Of the left image.
+};
+
+}  // namespace drydock::svin2
