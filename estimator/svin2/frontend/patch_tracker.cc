@@ -4,7 +4,7 @@
 
 #include <opencv2/video/tracking.hpp>
 
-#include "estimator/svin2/frontend/patch_aligner.h"
+#include "estimator/svin2/frontend/patch_template.h"
 #include "sensors_models/base/check.h"
 
 namespace drydock::svin2 {
@@ -58,9 +58,12 @@ std::vector<PatchTrack> PatchTracker::Track(const Pyramid& from, const Pyramid& 
   std::vector<std::uint8_t> forth_ok, back_ok;
   cv::calcOpticalFlowPyrLK(from, to, start, found, forth_ok, cv::noArray(), window,
                            config_.levels - 1, until, cv::OPTFLOW_USE_INITIAL_FLOW, kMinEigenvalue);
-  // Back from near the truth: the finest scales tell.
-  cv::calcOpticalFlowPyrLK(to, from, found, back, back_ok, cv::noArray(), window, 1, until,
-                           cv::OPTFLOW_USE_INITIAL_FLOW, kMinEigenvalue);
+  const bool back_too = config_.max_forward_backward_px > 0.0;
+  if (back_too) {
+    // Back from near the truth: the finest scales tell.
+    cv::calcOpticalFlowPyrLK(to, from, found, back, back_ok, cv::noArray(), window, 1, until,
+                             cv::OPTFLOW_USE_INITIAL_FLOW, kMinEigenvalue);
+  }
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     PatchTrack& track = tracks[i];
     track.pixel = Eigen::Vector2d(found[i].x, found[i].y);
@@ -72,13 +75,17 @@ std::vector<PatchTrack> PatchTracker::Track(const Pyramid& from, const Pyramid& 
     if (!IsInside(to[0], track.pixel)) continue;
     track.status = TrackStatus::kForwardBackward;
     const Eigen::Vector2d returned(back[i].x, back[i].y);
-    if (back_ok[i] == 0 || (returned - pixels[i]).norm() > config_.max_forward_backward_px) {
+    if (back_too &&
+        (back_ok[i] == 0 || (returned - pixels[i]).norm() > config_.max_forward_backward_px)) {
       continue;
     }
     track.status = TrackStatus::kTracked;
     if (config_.patch_radius_px == 0) continue;
+    const auto patch = PatchTemplate::Make(from[0], pixels[i], config_.patch_radius_px);
     const auto aligned =
-        AlignPatch(from[0], pixels[i], to[0], track.pixel, config_.patch_radius_px, config_.affine);
+        patch.has_value()
+            ? patch->Align(to[0], track.pixel, Eigen::Matrix2d::Identity(), config_.affine)
+            : std::nullopt;
     if (!aligned.has_value() || (aligned->pixel - track.pixel).norm() > config_.max_align_px) {
       track.status = TrackStatus::kNotFound;
       continue;

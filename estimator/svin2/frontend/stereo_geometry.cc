@@ -37,4 +37,18 @@ std::optional<Eigen::Vector2d> StereoGeometry::Transfer(const Eigen::Vector2d& l
   return cameras_[1].Project(T_C1C0_.q() * ideal->homogeneous() + inverse_depth * T_C1C0_.p());
 }
 
+std::optional<double> StereoGeometry::InverseDepth(const Eigen::Vector2d& left,
+                                                   const Eigen::Vector2d& right) const {
+  const auto ideal_left = cameras_[0].Unproject(left);
+  const auto ideal_right = cameras_[1].Unproject(right);
+  if (!ideal_left.has_value() || !ideal_right.has_value()) return std::nullopt;
+  // right = (ray + w t) / z of it, in x and y: two equations that are linear in w.
+  const Eigen::Vector3d ray = T_C1C0_.q() * ideal_left->homogeneous();
+  const Eigen::Vector3d& t = T_C1C0_.p();
+  const Eigen::Vector2d by_w = *ideal_right * t.z() - t.head<2>();
+  const Eigen::Vector2d at_infinity = ray.head<2>() - *ideal_right * ray.z();
+  if (!(by_w.squaredNorm() > 0.0)) return std::nullopt;
+  return by_w.dot(at_infinity) / by_w.squaredNorm();
+}
+
 }  // namespace drydock::svin2

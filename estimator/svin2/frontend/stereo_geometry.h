@@ -35,6 +35,11 @@ class StereoGeometry {
   /// image.
   std::optional<Eigen::Vector2d> Transfer(const Eigen::Vector2d& left, double inverse_depth) const;
 
+  /// The inverse depth [1/m] that explains `right` best, negative where the rays meet behind the
+  /// left camera. Nothing where a pixel has no ray.
+  std::optional<double> InverseDepth(const Eigen::Vector2d& left,
+                                     const Eigen::Vector2d& right) const;
+
  private:
   std::array<CameraModel, 2> cameras_;
   std::array<Pose, 2> T_IC_;

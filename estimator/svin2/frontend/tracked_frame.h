@@ -1,4 +1,4 @@
-// What the visual front end says of one stereo frame.
+// What the visual front end has to say about one stereo frame.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,21 @@
 
 namespace drydock::svin2 {
 
-/// Of a point in the world that the cameras follow; counts up from 1, never used again.
+/// Counts up from 1 and is never used again.
 using LandmarkId = std::uint64_t;
 
 struct TrackedPoint {
   LandmarkId id = 0;
-  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel in the distorted image.
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
   std::optional<Eigen::Vector2d> right;            ///< Where stereo found it in this frame.
   double sigma_px = 1.0;                           ///< Standard deviation of each coordinate.
 };
 
 struct TrackedFrame {
   Time t;
-  std::vector<TrackedPoint> points;  ///< Rising ids.
+  std::vector<TrackedPoint> points;  ///< Sorted by id.
   bool is_keyframe = false;
+  // For health:
   int tracked = 0;          ///< Points that were known before this frame.
   int empty_quadrants = 0;  ///< Of the left image.
 };

@@ -1,0 +1,52 @@
+#include "estimator/svin2/frontend/anchor_tracker.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "sensors_models/base/check.h"
+
+namespace drydock::svin2 {
+
+AnchorTracker::AnchorTracker(const Config& config) : config_(config) {
+  RequireInput(config.patch_radius_px >= 2 && config.patch_radius_px <= 50,
+               "patch_radius_px is {}; it must lie in [2, 50]", config.patch_radius_px);
+  RequireInput(config.max_scale > 1.0, "max_scale is {}; it must be above 1", config.max_scale);
+}
+
+bool AnchorTracker::Anchor(const cv::Mat& image, FeatureTrack& track) const {
+  auto patch = PatchTemplate::Make(image, track.left, config_.patch_radius_px);
+  if (!patch.has_value()) return false;
+  track.anchor = std::make_shared<const PatchTemplate>(std::move(*patch));
+  track.warp.setIdentity();
+  return true;
+}
+
+bool AnchorTracker::Align(const cv::Mat& now, const Eigen::Vector2d& start, double max_align_px,
+                          FeatureTrack& track) const {
+  const auto found = track.anchor->Align(now, start, track.warp, config_.affine);
+  if (!found.has_value() || found->correlation < config_.min_correlation ||
+      (found->pixel - start).norm() > max_align_px) {
+    return false;
+  }
+  const double scale = std::sqrt(found->warp.determinant());
+  if (scale > config_.max_scale || scale < 1.0 / config_.max_scale) return false;
+  track.left = found->pixel;
+  track.warp = found->warp;
+  track.correlation = found->correlation;
+  return true;
+}
+
+bool AnchorTracker::Follow(const cv::Mat& before, const cv::Mat& now, const Eigen::Vector2d& start,
+                           FeatureTrack& track) const {
+  if (Align(now, start, config_.max_align_px, track)) return true;
+  if (track.renewals >= config_.max_renewals) return false;
+  ++track.renewals;
+  return Anchor(before, track) && Align(now, start, config_.max_align_px, track);
+}
+
+bool AnchorTracker::Regain(const cv::Mat& now, const Eigen::Vector2d& start,
+                           FeatureTrack& track) const {
+  return Align(now, start, 2.0 * config_.max_align_px, track);
+}
+
+}  // namespace drydock::svin2

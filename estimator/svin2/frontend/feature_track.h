@@ -1,0 +1,32 @@
+// What the front end remembers of a point that it follows.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "estimator/svin2/frontend/descriptor_extractor.h"
+#include "estimator/svin2/frontend/patch_template.h"
+#include "estimator/svin2/frontend/tracked_frame.h"
+
+namespace drydock::svin2 {
+
+struct FeatureTrack {
+  LandmarkId id = 0;
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< In the latest frame.
+  std::optional<Eigen::Vector2d> right;            ///< In the latest frame.
+  Eigen::Vector2d left_before = left;              ///< In the frame before that.
+  std::optional<double> inverse_depth;             ///< By stereo [1/m], carried along by motion.
+  int age = 0;                                     ///< Frames since it was first seen.
+
+  /// The patch that is looked for in every frame: that of the first frame, as long as it can be
+  /// recognised, so that errors do not add up from frame to frame.
+  std::shared_ptr<const PatchTemplate> anchor;
+  Eigen::Matrix2d warp = Eigen::Matrix2d::Identity();  ///< Of the anchor to the latest frame.
+  double correlation = 1.0;                            ///< Of the anchor with the latest frame.
+  int renewals = 0;                                    ///< How often the anchor was replaced.
+
+  std::optional<Descriptor> descriptor;  ///< In the latest keyframe.
+};
+
+}  // namespace drydock::svin2

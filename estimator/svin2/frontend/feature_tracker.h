@@ -1,0 +1,116 @@
+// SVIn2's visual front end: from stereo frames to points that are followed.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "estimator/svin2/frontend/anchor_tracker.h"
+#include "estimator/svin2/frontend/corner_detector.h"
+#include "estimator/svin2/frontend/descriptor_extractor.h"
+#include "estimator/svin2/frontend/descriptor_matcher.h"
+#include "estimator/svin2/frontend/feature_track.h"
+#include "estimator/svin2/frontend/keyframe_memory.h"
+#include "estimator/svin2/frontend/keyframe_rule.h"
+#include "estimator/svin2/frontend/motion_prediction.h"
+#include "estimator/svin2/frontend/patch_tracker.h"
+#include "estimator/svin2/frontend/preprocessor.h"
+#include "estimator/svin2/frontend/stereo_geometry.h"
+#include "estimator/svin2/frontend/stereo_matcher.h"
+#include "estimator/svin2/frontend/track_gate.h"
+#include "estimator/svin2/frontend/tracked_frame.h"
+#include "sensors_models/measurement/measurement.h"
+#include "sensors_models/measurement/rig.h"
+
+namespace drydock::svin2 {
+
+/// How points are found again in the next frame.
+enum class Matching {
+  kPatches,      ///< Lucas-Kanade from frame to frame, then alignment with the anchor patch.
+  kDescriptors,  ///< Corners of each frame by their descriptors, then the same alignment.
+  kBoth,         ///< Patches; at keyframes descriptors regain what was lost.
+};
+
+/// Follows corners through stereo frames. Deterministic.
+class FeatureTracker {
+ public:
+  struct Config {
+    Matching matching = Matching::kBoth;
+    bool preprocess = true;
+    Preprocessor::Config preprocessor;
+    CornerDetector::Config detector = {.max_corners = 300};
+    DescriptorExtractor::Config descriptor;
+    DescriptorMatcher::Config descriptor_matcher;
+    PatchTracker::Config patches;  ///< Of Lucas-Kanade, and of the first match in stereo.
+    AnchorTracker::Config anchors;
+    StereoMatcher::Config stereo;
+    TrackGate::Config gate;
+    KeyframeRule::Config keyframes;
+    int memory_keyframes = 3;  ///< The newest, whose lost points are looked for.
+    /// Standard deviation of a pixel's coordinate where the anchor is recognised perfectly, and
+    /// how it grows with 1 - correlation.
+    double sigma_px = 0.15;
+    double sigma_per_unlikeness_px = 1.5;
+  };
+
+  /// Throws InputError for values that cannot be used.
+  FeatureTracker(const Config& config, const StereoSheet& sheet);
+
+  /// The next frame. `prediction` by the IMU, where there is one, and the `landmarks` that the
+  /// estimator has make tracks longer and outliers fewer. Images of a wrong size or type give an
+  /// empty frame, and tracks wait for the next; blank ones end all tracks.
+  TrackedFrame Track(Time t, const StereoFrame& images,
+                     const std::optional<MotionPrediction>& prediction,
+                     const LandmarkLookup& landmarks);
+
+  /// Forgets all tracks; ids go on.
+  void Restart();
+
+ private:
+  struct Pyramids {
+    PatchTracker::Pyramid left, right;
+  };
+  // What is known about the frame at hand.
+  struct Context {
+    const Pyramids& now;
+    const std::optional<MotionPrediction>& motion;
+    const LandmarkLookup& landmarks;
+    Eigen::Vector3d gravity_C;  // Down, in the left camera.
+  };
+
+  bool IsUsable(const StereoFrame& images) const;
+  Pyramids MakePyramids(const StereoFrame& images);
+  std::vector<FeatureTrack> Follow(const Context& context, const TrackPredictor& predictor) const;
+  std::vector<FeatureTrack> FollowPatches(const Context& context,
+                                          const std::vector<TrackPredictor::Point>& points) const;
+  std::vector<FeatureTrack> FollowDescriptors(
+      const Context& context, const std::vector<TrackPredictor::Point>& points) const;
+  void MatchStereo(const Pyramids& now, bool search, std::vector<FeatureTrack>& tracks) const;
+  std::optional<Pose> RemoveOutliers(const Context& context, Time t,
+                                     std::vector<FeatureTrack>& tracks) const;
+  void AddCorners(const Context& context, const std::optional<Pose>& T_WI);
+  void Describe(const Context& context, std::vector<FeatureTrack>& tracks) const;
+  std::vector<FeatureTrack> Regain(const Context& context, const Pose& T_WI,
+                                   std::vector<FeatureTrack>& corners) const;
+  std::vector<FeatureTrack> NewTracks(const cv::Mat& image) const;
+  TrackedFrame Report(Time t) const;
+
+  Config config_;
+  StereoGeometry geometry_;
+  Preprocessor preprocessor_;
+  CornerDetector detector_;
+  DescriptorExtractor extractor_;
+  DescriptorMatcher matcher_;
+  PatchTracker flow_;  // Lucas-Kanade alone.
+  AnchorTracker anchors_;
+  StereoMatcher stereo_;
+  TrackGate gate_;
+  KeyframeRule keyframes_;
+  KeyframeMemory memory_;
+
+  LandmarkId next_id_ = 1;
+  std::vector<FeatureTrack> tracks_;  // Sorted by id.
+  std::optional<Pyramids> before_;
+};
+
+}  // namespace drydock::svin2
