@@ -3,8 +3,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "estimator/interface/stage_timings.h"
 #include "sensors_models/base/trajectory.h"
 #include "sensors_models/measurement/measurement.h"
 
@@ -42,6 +44,13 @@ struct LoopClosure {
   Pose T_then_now;  ///< Maps points of the body now into the body then.
 };
 
+/// What an estimator wants to say of itself: initialised and from what, lost, recovered, how many
+/// stamps it refused.
+struct EstimatorEvent {
+  Time t;               ///< Of the measurement at which it happened.
+  std::string message;  ///< One line.
+};
+
 /// Takes measurements in the order of their arrival and says where the body is. Single-threaded and
 /// deterministic: the same calls give the same answers. Nothing here throws for what a sensor said;
 /// construction and Start() throw InputError for what a user wrote.
@@ -65,6 +74,11 @@ class Estimator {
   virtual std::vector<LoopClosure> Loops() const { return {}; }
   /// Points of the map [m, in W].
   virtual std::vector<Eigen::Vector3d> Map() const { return {}; }
+
+  /// What has happened since the last call. Asked for after each Add() and after Finish().
+  virtual std::vector<EstimatorEvent> TakeEvents() { return {}; }
+  /// What the stages have cost so far; the one thing that is not deterministic.
+  virtual EstimatorTimings Timings() const { return {}; }
 };
 
 }  // namespace drydock

@@ -5,23 +5,30 @@
 
 #include "estimator/dead_reckoning/dead_reckoning.h"
 #include "sensors_models/base/check.h"
+#include "sensors_models/base/yaml_reader.h"
 
 namespace drydock {
 namespace {
 
-template <typename T>
-std::unique_ptr<Estimator> Make(const Rig& rig) {
-  return std::make_unique<T>(rig);
+std::unique_ptr<Estimator> MakeDeadReckoning(const Rig& rig, const YamlNode& options) {
+  YamlReader(options).Finish();  // There is nothing to choose.
+  return std::make_unique<DeadReckoning>(rig);
 }
 
 constexpr std::array kEstimators = {
     EstimatorEntry{"dead-reckoning", "IMU integrated from the true start, height held by pressure",
-                   Make<DeadReckoning>},
+                   MakeDeadReckoning},
 };
 
 }  // namespace
 
 std::span<const EstimatorEntry> Estimators() { return kEstimators; }
+
+YamlNode NoOptions() {
+  YamlNode options;
+  options.kind = YamlNode::Kind::kMap;
+  return options;
+}
 
 const EstimatorEntry& FindEstimator(std::string_view name) {
   std::string known;

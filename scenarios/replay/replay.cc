@@ -11,8 +11,9 @@
 #include "scenarios/dataset/euroc_layout.h"
 #include "scenarios/dataset/euroc_reader.h"
 #include "scenarios/dataset/rig_yaml.h"
-#include "scenarios/results/event_log.h"
+#include "scenarios/results/estimator_session.h"
 #include "scenarios/results/result_files.h"
+#include "scenarios/results/stages_json.h"
 #include "scenarios/results/stopwatch.h"
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
@@ -49,14 +50,15 @@ class Player {
                  reader_->FileName("imu0/data.csv"));
     RequireOutputElsewhere();
     RequireReplaceable(options_.output, {"manifest.json"});
-    const std::unique_ptr<Estimator> estimator = FindEstimator(options_.estimator).make(rig_);
+    std::unique_ptr<Estimator> estimator =
+        FindEstimator(options_.estimator).make(rig_, options_.options);
     Start(*estimator);
     AtomicDirectory output(options_.output);
-    const Results results = Feed(*estimator);
+    const Results results = Feed(std::move(estimator));
     result_.poses = results.odometry.size();
     WriteResults(output.path(), results);
     WriteFileAtomically(output.path() / "manifest.json", Manifest().dump(2) + "\n");
-    WriteFileAtomically(output.path() / "timings.json", Timings().dump(2) + "\n");
+    WriteFileAtomically(output.path() / "timings.json", Timings(results.stages).dump(2) + "\n");
     if (!truth_.empty()) Score(output.path(), results);
     output.Commit(AtomicDirectory::IfExists::kReplace);
     return std::move(result_);
@@ -114,24 +116,20 @@ class Player {
     return reader_->Read(i);
   }
 
-  Results Feed(Estimator& estimator) {
+  Results Feed(std::unique_ptr<Estimator> estimator) {
     const Time start = reader_->ArrivalOf(0);
     const Duration length = reader_->ArrivalOf(reader_->size() - 1) - start;
     result_.timings.recorded = length.Seconds();
-    EventLog log(start);
+    EstimatorSession session(std::move(estimator), start);
     for (std::size_t i = 0; i < reader_->size(); ++i) {
       const Measurement measurement = Read(i);
-      {
-        const Stopwatch watch(result_.timings.estimator);
-        estimator.Add(measurement);
-      }
+      session.Add(measurement);
       ++result_.measurements;
-      log.Look(measurement.t_arrival, estimator.Latest());
       options_.progress(Time{} + (measurement.t_arrival - start), Time{} + length);
     }
-    const Stopwatch watch(result_.timings.estimator);
-    estimator.Finish();
-    return CollectResults(estimator, log.Take());
+    Results results = session.Finish();
+    result_.timings.estimator = session.seconds();
+    return results;
   }
 
   void Score(const fs::path& folder, const Results& results) {
@@ -148,8 +146,8 @@ class Player {
   }
 
   std::string ConfigHash() const {
-    return HashText(fmt::format("{} {}\n{}", options_.estimator, options_.start_from_truth,
-                                dataset::FormatRig(rig_)));
+    return HashText(fmt::format("{} {}\n{}\n{}", options_.estimator, options_.start_from_truth,
+                                EmitYaml(options_.options), dataset::FormatRig(rig_)));
   }
 
   Json Manifest() const {
@@ -161,11 +159,12 @@ class Player {
     manifest["recording"] = recording_.string();
     manifest["estimator"] = options_.estimator;
     manifest["start_from_truth"] = options_.start_from_truth;
+    manifest["options"] = EmitYaml(options_.options);
     manifest["rig"] = dataset::FormatRig(rig_);
     return manifest;
   }
 
-  Json Timings() const {
+  Json Timings(const EstimatorTimings& stages) const {
     const ReplayTimings& timings = result_.timings;
     const double total = timings.reading + timings.estimator;
     Json json;
@@ -174,6 +173,7 @@ class Player {
     json["reading_s"] = timings.reading;
     json["estimator_s"] = timings.estimator;
     json["real_time_factor"] = total > 0.0 ? Json(timings.recorded / total) : Json(nullptr);
+    json["estimator_stages"] = StagesJson(stages);
     return json;
   }
 

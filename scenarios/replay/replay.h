@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "estimator/registry/registry.h"
 #include "scenarios/scoring/scorecard.h"
 #include "sensors_models/base/time.h"
+#include "sensors_models/base/yaml_node.h"
 
 namespace drydock {
 
@@ -16,6 +18,8 @@ struct ReplayOptions {
   std::string estimator = "dead-reckoning";  ///< A registered name.
   /// What the estimator believes of the rig: a rig's name or file; by default the recording's own.
   std::string rig;
+  /// A mapping that the estimator itself understands; empty for its defaults.
+  YamlNode options = NoOptions();
   /// Start from the first state of the recording's ground truth.
   bool start_from_truth = false;
   std::filesystem::path output;  ///< Replaced as a whole when everything is done.

@@ -9,20 +9,29 @@
 
 namespace drydock {
 
-/// Notes each change of an estimator's status or map, a line each.
+/// Notes each change of an estimator's status or map, and what the estimator says of itself, a line
+/// each.
 class EventLog {
  public:
   /// `estimate` is what the estimator said at `t`; times are noted from `start` on.
   explicit EventLog(Time start = {}) : start_(start) {}
 
   void Look(Time t, const std::optional<NavEstimate>& estimate);
-  std::vector<std::string> Take() { return std::move(events_); }
+  void Note(const EstimatorEvent& event);
+  /// All lines in the order of their times.
+  std::vector<std::string> Take();
 
  private:
+  struct Entry {
+    Time t;
+    std::string what;
+  };
+
   Time start_;
+  bool looked_ = false;
   TrackingStatus status_ = TrackingStatus::kInitialising;
   int map_id_ = 0;
-  std::vector<std::string> events_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace drydock

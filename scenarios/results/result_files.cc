@@ -37,10 +37,6 @@ Trajectory Aligned(Trajectory trajectory, const score::Scorecard& card) {
 
 }  // namespace
 
-Results CollectResults(const Estimator& estimator, std::vector<std::string> events) {
-  return {estimator.Odometry(), estimator.Corrected(), estimator.Loops(), std::move(events)};
-}
-
 void WriteResults(const std::filesystem::path& folder, const Results& results) {
   dataset::WriteTum(folder / "odometry.tum", results.odometry);
   dataset::WriteTum(folder / "trajectory.tum", results.corrected);

@@ -17,9 +17,8 @@ struct Results {
   Trajectory corrected;  ///< As known in the end.
   std::vector<LoopClosure> loops;
   std::vector<std::string> events;
+  EstimatorTimings stages;
 };
-
-Results CollectResults(const Estimator& estimator, std::vector<std::string> events);
 
 /// Writes odometry.tum, trajectory.tum, loops.csv and events.log into `folder`.
 void WriteResults(const std::filesystem::path& folder, const Results& results);

@@ -3,8 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "estimator/registry/registry.h"
-#include "scenarios/results/event_log.h"
+#include "scenarios/results/estimator_session.h"
 #include "scenarios/results/stopwatch.h"
 #include "scenarios/runner/dive.h"
 #include "scenarios/runner/dive_recorder.h"
@@ -12,7 +11,6 @@
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
-#include "sensors_models/models/usable_rig.h"
 
 namespace drydock {
 namespace {
@@ -71,8 +69,7 @@ std::string PlaceOfStart(const YamlNode& scenario) {
 }
 
 std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& dive) {
-  const Rig believed = LoadUsableRig(FindRig(scenario.estimator.rig));
-  std::unique_ptr<Estimator> estimator = FindEstimator(scenario.estimator.name).make(believed);
+  std::unique_ptr<Estimator> estimator = MakeEstimator(scenario.estimator);
   if (scenario.estimator.start_from_truth) {
     estimator->Start(dive.InitialState());
     return estimator;
@@ -94,11 +91,10 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   RequireReplaceable(options.output, {"manifest.json"});
   AtomicDirectory output(options.output);
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
-  const std::unique_ptr<Estimator> estimator = StartEstimator(scenario, *dive);
+  EstimatorSession session(StartEstimator(scenario, *dive));
   std::optional<DiveRecorder> recorder;
   if (options.record) recorder.emplace(*dive, output.path() / "dataset");
   FrameSampler sampler(*dive, kSheetFrames);
-  EventLog log;
 
   while (true) {
     std::optional<sim::Observation> observation;
@@ -108,11 +104,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
     }
     if (!observation) break;
     const Measurement& measurement = observation->measurement;
-    {
-      const Stopwatch watch(timings.estimator);
-      estimator->Add(measurement);
-    }
-    log.Look(measurement.t_arrival, estimator->Latest());
+    session.Add(measurement);
     sampler.Look(measurement);
     if (recorder) {
       const Stopwatch watch(timings.recording);
@@ -120,12 +112,9 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
     }
     options.progress(measurement.t_arrival, dive->End());
   }
-  {
-    const Stopwatch watch(timings.estimator);
-    estimator->Finish();
-  }
 
-  const RunFiles files{dive->Truth(), CollectResults(*estimator, log.Take()), sampler.Take()};
+  const RunFiles files{dive->Truth(), session.Finish(), sampler.Take()};
+  timings.estimator = session.seconds();
   result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.results.odometry,
                                   files.results.corrected, scenario.criteria);
   WriteRunFiles(output.path(), scenario, *dive, files, result);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "scenarios/results/stages_json.h"
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
@@ -34,7 +35,7 @@ Json Manifest(const Scenario& scenario, const Dive& dive) {
   return manifest;
 }
 
-Json Timings(const RunTimings& timings) {
+Json Timings(const RunTimings& timings, const EstimatorTimings& stages) {
   const double total = timings.sensors + timings.estimator + timings.recording;
   Json json;
   json["schema"] = 1;
@@ -44,6 +45,7 @@ Json Timings(const RunTimings& timings) {
   json["estimator_s"] = timings.estimator;
   json["recording_s"] = timings.recording;
   json["real_time_factor"] = total > 0.0 ? Json(timings.simulated / total) : Json(nullptr);
+  json["estimator_stages"] = StagesJson(stages);
   return json;
 }
 
@@ -60,7 +62,7 @@ void WriteRunFiles(const std::filesystem::path& folder, const Scenario& scenario
                    const RunFiles& files, const RunResult& result) {
   WriteResults(folder, files.results);
   WriteJson(folder / "manifest.json", Manifest(scenario, dive));
-  WriteJson(folder / "timings.json", Timings(result.timings));
+  WriteJson(folder / "timings.json", Timings(result.timings, files.results.stages));
   const std::string title =
       fmt::format("{}, seed {}: {}", scenario.name, scenario.seed, scenario.estimator.name);
   WriteScore(folder, title, files.truth, files.results.corrected, result.scorecard);

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "estimator/registry/registry.h"
 #include "scenarios/runner/scenario_yaml.h"
 #include "scenes/scene.h"
 #include "sensors_models/base/yaml_reader.h"
+#include "sensors_models/models/usable_rig.h"
 
 namespace drydock {
 namespace {
@@ -48,6 +48,7 @@ EstimatorChoice ReadEstimator(YamlReader& yaml) {
   if (yaml.Has("rig")) estimator.rig = ReadRigName(yaml, "rig");
   yaml.Skip("rig");  // Also where it is missing: messages list it among the known keys.
   estimator.start_from_truth = yaml.Boolean("start_from_truth", estimator.start_from_truth);
+  if (const YamlNode* options = yaml.OptionalSubtree("options")) estimator.options = *options;
   return estimator;
 }
 
@@ -75,7 +76,12 @@ Scenario ReadScenario(const YamlNode& root, const std::string& name) {
   if (scenario.estimator.rig.empty()) scenario.estimator.rig = scenario.rig;
   scenario.name = name;
   scenario.resolved = root;
+  MakeEstimator(scenario.estimator);  // Only the estimator itself can tell whether it understands.
   return scenario;
+}
+
+std::unique_ptr<Estimator> MakeEstimator(const EstimatorChoice& choice) {
+  return FindEstimator(choice.name).make(LoadUsableRig(FindRig(choice.rig)), choice.options);
 }
 
 Scenario LoadScenario(const std::filesystem::path& path,

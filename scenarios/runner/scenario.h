@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "estimator/registry/registry.h"
 #include "scenarios/scoring/criteria.h"
 #include "sensors_models/base/time.h"
 #include "sensors_models/base/yaml_node.h"
@@ -27,6 +29,7 @@ struct EstimatorChoice {
   /// What the estimator believes of the rig: a rig's name or file; by default the true one.
   std::string rig;
   bool start_from_truth = false;
+  YamlNode options = NoOptions();  ///< A mapping that the estimator itself understands.
 };
 
 /// One dive: what is there, how it is swum, what is measured, who estimates and what counts as
@@ -52,6 +55,10 @@ struct Scenario {
 /// file must be valid before and after. InputError with file, line, key, value and what is allowed.
 Scenario LoadScenario(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides = {});
+
+/// The estimator, not started, with the rig and the options that are chosen. InputError where one
+/// of them cannot be used.
+std::unique_ptr<Estimator> MakeEstimator(const EstimatorChoice& choice);
 
 /// Reads a whole scenario from `root`; `name` is what reports call it.
 Scenario ReadScenario(const YamlNode& root, const std::string& name);

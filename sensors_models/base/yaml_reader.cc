@@ -200,6 +200,13 @@ void YamlReader::OptionalMap(std::string_view key, const std::function<void(Yaml
   if (FindValue(key) != nullptr) Map(key, read);
 }
 
+const YamlNode* YamlReader::OptionalSubtree(std::string_view key) {
+  const YamlNode* value = FindValue(key);
+  if (value != nullptr && value->kind != YamlNode::Kind::kMap)
+    Fail(*value, key, "a mapping of keys to values");
+  return value;
+}
+
 void YamlReader::List(std::string_view key, const std::function<void(YamlReader&)>& read) {
   const YamlNode* value = FindValue(key);
   if (value == nullptr) return;
@@ -219,7 +226,7 @@ void YamlReader::Finish(const std::function<void(const std::string&)>& warn) con
   for (const auto& [key, value] : node_.members) {
     if (known_.contains(key)) continue;
     warn(fmt::format("{}: unknown key '{}'; known here: {}", value.place.ToString(), PathOf(key),
-                     fmt::join(known_, ", ")));
+                     known_.empty() ? "none" : fmt::to_string(fmt::join(known_, ", "))));
   }
 }
 

@@ -63,6 +63,9 @@ class YamlReader {
   void OptionalMap(std::string_view key, const std::function<void(YamlReader&)>& read);
   /// A list of mappings, `read` called for each; a missing key is an empty list.
   void List(std::string_view key, const std::function<void(YamlReader&)>& read);
+  /// The mapping under `key` as it stands, for a reader of its own; nullptr where the key is
+  /// missing.
+  const YamlNode* OptionalSubtree(std::string_view key);
   /// Marks `key` as read without looking at it.
   void Skip(std::string_view key) { known_.emplace(key); }
 

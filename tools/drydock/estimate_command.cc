@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,12 +16,14 @@ namespace {
 struct Arguments {
   std::string recording;
   std::string output;
+  std::vector<std::string> assignments;
   ReplayOptions options;
 };
 
 int EstimateCommand(Arguments arguments) {
   ReplayOptions& options = arguments.options;
   options.output = arguments.output;
+  for (const std::string& assignment : arguments.assignments) SetYaml(options.options, assignment);
   options.progress = ProgressOnTerminal();
   options.warn = [](const std::string& message) {
     fmt::print(stderr, "drydock: warning: {}\n", message);
@@ -48,6 +51,11 @@ void AddEstimateCommand(CLI::App& app, Action& chosen) {
       ->required();
   command->add_option("--estimator", arguments->options.estimator, "Estimator (see drydock list)")
       ->capture_default_str();
+  command
+      ->add_option("--set", arguments->assignments,
+                   "key.path=value: an option of the estimator; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_option("--rig", arguments->options.rig,
                       "What the estimator believes of the rig: a rig's name or a .yaml file "
                       "[the dataset's own]");

@@ -13,9 +13,19 @@ namespace {
 TEST(Registry, EveryEstimatorCanBeMade) {
   std::set<std::string_view> names;
   for (const EstimatorEntry& entry : Estimators()) {
-    EXPECT_NE(entry.make(Rig{}), nullptr) << entry.name;
+    EXPECT_NE(entry.make(Rig{}, NoOptions()), nullptr) << entry.name;
     EXPECT_FALSE(entry.summary.empty());
     EXPECT_TRUE(names.insert(entry.name).second) << "twice: " << entry.name;
+  }
+}
+
+TEST(Registry, DeadReckoningTakesNoOptions) {
+  const YamlNode options = ParseYaml("\nfrontend: {preprocess: false}\n", "dive.yaml");
+  try {
+    FindEstimator("dead-reckoning").make(Rig{}, options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "dive.yaml:2: unknown key 'frontend'; known here: none");
   }
 }
 

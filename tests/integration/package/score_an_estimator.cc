@@ -7,7 +7,7 @@
 int main() {
   using namespace drydock;
   const Eigen::Vector3d kSpeed(1.0, 0.0, 0.0);
-  const auto estimator = FindEstimator("dead-reckoning").make(Rig());
+  const auto estimator = FindEstimator("dead-reckoning").make(Rig(), NoOptions());
   NavState start;
   start.v_W = kSpeed;
   estimator->Start(start);

@@ -30,5 +30,16 @@ TEST(EventLog, NotesChangesWithTheTimeSinceTheStart) {
                                    "3.000 s: dead reckoning, map 1"));
 }
 
+TEST(EventLog, PutsMessagesAmongTheChangesByTheirTimes) {
+  EventLog log;
+  log.Look(Time::FromSeconds(1.0), std::nullopt);
+  log.Look(Time::FromSeconds(3.0), Estimate(TrackingStatus::kTracking, 0));
+  log.Note({Time::FromSeconds(3.0), "initialised from gravity"});
+  log.Note({Time::FromSeconds(2.0), "two stamps refused"});
+  EXPECT_THAT(log.Take(), testing::ElementsAre(
+                              "1.000 s: initialising, map 0", "2.000 s: two stamps refused",
+                              "3.000 s: tracking, map 0", "3.000 s: initialised from gravity"));
+}
+
 }  // namespace
 }  // namespace drydock

@@ -74,6 +74,15 @@ TEST_F(ScenarioTest, SetOverridesKeys) {
   EXPECT_EQ(*scenario.duration_s, 3.5);
 }
 
+TEST_F(ScenarioTest, EstimatorOptionsAreKeptForTheEstimator) {
+  const std::string options = "estimator: {options: {}}\n";
+  const Scenario scenario = LoadScenario(Write("small.yaml", kSmall + options));
+  EXPECT_EQ(scenario.estimator.options.kind, YamlNode::Kind::kMap);
+  EXPECT_NE(EmitYaml(scenario.resolved).find("options: {}"), std::string::npos)
+      << "the manifest and the configuration's hash hold them";
+  EXPECT_NE(MakeEstimator(scenario.estimator), nullptr);
+}
+
 TEST_F(ScenarioTest, BrokenOnesAreNamed) {
   struct Case {
     std::string text;

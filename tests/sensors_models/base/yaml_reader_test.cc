@@ -137,6 +137,17 @@ TEST(YamlReader, UnknownKeysCanBeWarningsForForeignFiles) {
   EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("f.yaml:3"), HasSubstr("'c'"))));
 }
 
+TEST(YamlReader, ASubtreeIsForAReaderOfItsOwn) {
+  const YamlNode root = ParseYaml("options: {x: 3}\nlist: [1]\n", "f.yaml");
+  YamlReader yaml(root);
+  const YamlNode* options = yaml.OptionalSubtree("options");
+  ASSERT_NE(options, nullptr);
+  EXPECT_EQ(YamlReader(*options).Real("x", {}), 3.0);
+  EXPECT_EQ(yaml.OptionalSubtree("missing"), nullptr);
+  EXPECT_THROW(yaml.OptionalSubtree("list"), InputError);
+  EXPECT_NO_THROW(yaml.Finish()) << "asked for is read";
+}
+
 TEST(YamlReader, RulesThatBindSeveralKeysNameThePlace) {
   const YamlNode root = ParseYaml("m:\n  low: 3\n  high: 2\n", "f.yaml");
   YamlReader yaml(root);
