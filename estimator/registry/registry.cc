@@ -4,6 +4,7 @@
 #include <string>
 
 #include "estimator/dead_reckoning/dead_reckoning.h"
+#include "estimator/svin2/odometry/svin2_yaml.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/yaml_reader.h"
 
@@ -15,9 +16,37 @@ std::unique_ptr<Estimator> MakeDeadReckoning(const Rig& rig, const YamlNode& opt
   return std::make_unique<DeadReckoning>(rig);
 }
 
+std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const YamlNode& options, bool use_sonar,
+                                     bool use_depth) {
+  svin2::Svin2Config defaults;
+  defaults.use_sonar = use_sonar;
+  defaults.use_depth = use_depth;
+  return svin2::MakeSvin2(rig, svin2::ReadSvin2Config(options, defaults));
+}
+
+std::unique_ptr<Estimator> MakeSvin2Vio(const Rig& rig, const YamlNode& options) {
+  return MakeSvin2(rig, options, false, false);
+}
+
+std::unique_ptr<Estimator> MakeSvin2NoSonar(const Rig& rig, const YamlNode& options) {
+  return MakeSvin2(rig, options, false, true);
+}
+
+std::unique_ptr<Estimator> MakeSvin2NoDepth(const Rig& rig, const YamlNode& options) {
+  return MakeSvin2(rig, options, true, false);
+}
+
+std::unique_ptr<Estimator> MakeSvin2NoLoop(const Rig& rig, const YamlNode& options) {
+  return MakeSvin2(rig, options, true, true);
+}
+
 constexpr std::array kEstimators = {
     EstimatorEntry{"dead-reckoning", "IMU integrated from the true start, height held by pressure",
                    MakeDeadReckoning},
+    EstimatorEntry{"svin2-vio", "SVIn2 with stereo and IMU alone", MakeSvin2Vio},
+    EstimatorEntry{"svin2-nosonar", "SVIn2 without sonar and loop closing", MakeSvin2NoSonar},
+    EstimatorEntry{"svin2-nodepth", "SVIn2 without pressure and loop closing", MakeSvin2NoDepth},
+    EstimatorEntry{"svin2-noloop", "SVIn2 without loop closing", MakeSvin2NoLoop},
 };
 
 }  // namespace

@@ -115,7 +115,10 @@ void Svin2::AddPendingDepths(Time until) {
 void Svin2::Publish() {
   NavEstimate estimate;
   estimate.state = window_.Latest();
-  estimate.pose_covariance = window_.LatestCovariance();
+  {
+    const StageClock::Lap lap(clock_, "covariance");
+    estimate.pose_covariance = window_.LatestCovariance();
+  }
   estimate.status = TrackingStatus::kTracking;
   latest_ = estimate;
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});

@@ -7,19 +7,13 @@
 #include <vector>
 
 #include "estimator/interface/estimator.h"
+#include "estimator/svin2/frontend/feature_tracker.h"
+#include "estimator/svin2/frontend/motion_prediction.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
 #include "estimator/svin2/window/sliding_window.h"
 #include "sensors_models/measurement/rig.h"
 
 namespace drydock::svin2 {
-
-/// Where the body was at the last tracked frame and where it is now, by the IMU.
-struct MotionPrediction {
-  Pose T_WI_before, T_WI_now;
-};
-
-/// The position [m, in W] of a landmark, where the window has one.
-using LandmarkLookup = std::function<std::optional<Eigen::Vector3d>(LandmarkId)>;
 
 /// Follows points through stereo frames: the visual front end.
 using Tracker = std::function<TrackedFrame(
@@ -30,6 +24,7 @@ struct Svin2Config {
   bool use_depth = true;
   /// What the estimator believes of the IMU's noise, as a multiple of its sheet.
   double imu_noise_inflation = 2.0;
+  FeatureTracker::Config frontend;
   WindowConfig window;
   StartSigmas start;
 };
@@ -44,6 +39,7 @@ class Svin2 final : public Estimator {
   std::optional<NavEstimate> Latest() const override;
   const Trajectory& Odometry() const override { return odometry_; }
   std::vector<Eigen::Vector3d> Map() const override { return window_.LandmarkPositions(); }
+  EstimatorTimings Timings() const override { return clock_.Summary(); }
 
  private:
   struct PendingFrame {
@@ -55,10 +51,11 @@ class Svin2 final : public Estimator {
     double depth = 0.0;
   };
 
-  void AddStereo(const Measurement& measurement, const StereoFrame& frame);
   void ProcessPending(Time now);
   void Process(const PendingFrame& pending);
   void StartFrom(const NavState& known, const PendingFrame& pending);
+  TrackedFrame Track(const PendingFrame& pending,
+                     const std::optional<MotionPrediction>& prediction);
   void AddPendingDepths(Time until);
   ImuBias Bias() const;
   void Publish();
@@ -74,6 +71,7 @@ class Svin2 final : public Estimator {
   std::optional<NavState> known_;
   std::optional<NavEstimate> latest_;
   Trajectory odometry_;
+  StageClock clock_;
 };
 
 /// The rig's sheet with its noise inflated.

@@ -1,0 +1,47 @@
+#include "estimator/svin2/odometry/svin2_yaml.h"
+
+#include <utility>
+
+#include "estimator/svin2/frontend/feature_tracker.h"
+#include "sensors_models/base/yaml_reader.h"
+
+namespace drydock::svin2 {
+namespace {
+
+void ReadWindow(YamlReader& reader, WindowConfig& window) {
+  const auto integer = [&](const char* key, double low, double high, int value) {
+    return static_cast<int>(reader.Integer(key, {low, high}, value));
+  };
+  window.keyframes = integer("keyframes", 1, 50, window.keyframes);
+  window.recent_frames = integer("recent_frames", 2, 20, window.recent_frames);
+  window.solver.iterations = integer("iterations", 1, 100, window.solver.iterations);
+  window.cauchy_scale = reader.Real("cauchy_scale", Bounds::Positive(), window.cauchy_scale);
+  window.max_reprojection_chi2 =
+      reader.Real("max_reprojection_chi2", Bounds::Positive(), window.max_reprojection_chi2);
+}
+
+}  // namespace
+
+Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults) {
+  return ReadYaml(options, [&](YamlReader& reader) {
+    Svin2Config config = defaults;
+    config.use_sonar = reader.Boolean("use_sonar", config.use_sonar);
+    config.use_depth = reader.Boolean("use_depth", config.use_depth);
+    config.imu_noise_inflation =
+        reader.Real("imu_noise_inflation", {0.1, 100.0}, config.imu_noise_inflation);
+    reader.OptionalMap("window", [&](YamlReader& window) { ReadWindow(window, config.window); });
+    return config;
+  });
+}
+
+std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config) {
+  const auto tracker = std::make_shared<FeatureTracker>(config.frontend, rig.stereo);
+  return std::make_unique<Svin2>(
+      rig, config,
+      [tracker](Time t, const StereoFrame& images, const std::optional<MotionPrediction>& motion,
+                const LandmarkLookup& landmarks) {
+        return tracker->Track(t, images, motion, landmarks);
+      });
+}
+
+}  // namespace drydock::svin2
