@@ -14,9 +14,9 @@ namespace drydock::svin2 {
 class AnchorTracker {
  public:
   struct Config {
-    int patch_radius_px = 8;       ///< Patches are 2 r + 1 squared.
+    int patch_radius_px = 12;      ///< Patches are 2 r + 1 squared.
     bool affine = true;            ///< The patch may turn, stretch and shear, else only shift.
-    double min_correlation = 0.8;  ///< Of the patches' grey values, once aligned.
+    double min_correlation = 0.7;  ///< Of the patches' grey values, once aligned.
     double max_align_px = 2.0;     ///< An alignment that moves further has gone astray.
     double max_scale = 1.6;        ///< Of lengths, since the anchor was taken; or its inverse.
     int max_renewals = 20;         ///< A point whose anchor changed more often is given up.

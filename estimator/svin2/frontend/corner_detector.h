@@ -22,9 +22,9 @@ class CornerDetector {
     double radius_px = 20.0;       ///< Of occupancy about each corner.
     int border_px = 12;            ///< No corners nearer than this to the image's edge.
     double window_sigma_px = 1.5;  ///< Of the structure tensor's Gaussian weights.
-    /// Least score, for grey values in [0, 1] and slopes per pixel, of a pre-processed image. Below
-    /// 1e-3 most corners in haze are noise, above 3e-3 few are.
-    double min_score = 2e-3;
+    /// Least score, for grey values in [0, 1] and slopes per pixel, of a pre-processed image. In
+    /// haze, most corners below 1e-3 are noise: they serve where tracking sorts them out.
+    double min_score = 5e-4;
     double min_quality = 0.0;  ///< Least score as a share of the strongest in the image.
     /// Of the window in which corners are refined to sub-pixels [px], as junctions of edges or
     /// centres of blobs, whichever fits better (Foerstner and Guelch 1987); 0: no refinement.

@@ -43,6 +43,8 @@ KeyframeRule::Seen KeyframeRule::See(const std::vector<TrackedPoint>& points, in
 bool KeyframeRule::Decide(const std::vector<TrackedPoint>& points) {
   if (!has_keyframe_) return true;
   ++frames_since_;
+  // A corner that is gone in the next frame was noise, and is not missed.
+  if (frames_since_ == 1) Refer(points);
   if (frames_since_ < config_.min_gap) return false;
   if (frames_since_ >= config_.max_gap) return true;
   const auto most = static_cast<double>(keyframe_[0].ids.size());
@@ -59,8 +61,12 @@ bool KeyframeRule::Decide(const std::vector<TrackedPoint>& points) {
   return overlap <= config_.max_overlap || ratio <= config_.max_match_ratio;
 }
 
-void KeyframeRule::Keep(const std::vector<TrackedPoint>& points) {
+void KeyframeRule::Refer(const std::vector<TrackedPoint>& points) {
   for (int camera = 0; camera < 2; ++camera) keyframe_[camera] = See(points, camera, nullptr);
+}
+
+void KeyframeRule::Keep(const std::vector<TrackedPoint>& points) {
+  Refer(points);
   has_keyframe_ = true;
   frames_since_ = 0;
 }

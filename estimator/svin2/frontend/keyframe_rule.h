@@ -12,6 +12,7 @@ namespace drydock::svin2 {
 /// The rule of OKVIS (Leutenegger et al. 2015), for tracks instead of matches: a frame is a
 /// keyframe if, in both cameras, what it still shares with the last keyframe covers too little of
 /// the area that was covered then, or too few of the points. Also if few points are left at all.
+/// What is gone in the frame after a keyframe does not count: in haze much of it was noise.
 class KeyframeRule {
  public:
   struct Config {
@@ -40,6 +41,8 @@ class KeyframeRule {
   };
   static Seen See(const std::vector<TrackedPoint>& points, int camera,
                   const std::set<LandmarkId>* known);
+
+  void Refer(const std::vector<TrackedPoint>& points);
 
   Config config_;
   bool has_keyframe_ = false;

@@ -18,7 +18,7 @@ bool HasPatch(const cv::Mat& image, const cv::Point& at, int radius) {
 // Of the grey values of two square patches; 0 where one of them is blank.
 double Correlation(const cv::Mat& a, const cv::Point& at_a, const cv::Mat& b, const cv::Point& at_b,
                    int radius) {
-  std::int64_t sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
+  int sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;  // Enough for a radius of 90.
   for (int y = -radius; y <= radius; ++y) {
     const auto* row_a = a.ptr<std::uint8_t>(at_a.y + y) + at_a.x;
     const auto* row_b = b.ptr<std::uint8_t>(at_b.y + y) + at_b.x;
@@ -31,11 +31,11 @@ double Correlation(const cv::Mat& a, const cv::Point& at_a, const cv::Mat& b, co
       ab += va * vb;
     }
   }
-  const std::int64_t n = (2 * radius + 1) * (2 * radius + 1);
-  const auto energy_a = static_cast<double>(n * aa - sum_a * sum_a);
-  const auto energy_b = static_cast<double>(n * bb - sum_b * sum_b);
+  const double n = (2 * radius + 1) * (2 * radius + 1);
+  const double mean_a = sum_a / n, mean_b = sum_b / n;
+  const double energy_a = aa - sum_a * mean_a, energy_b = bb - sum_b * mean_b;
   if (energy_a <= 0.0 || energy_b <= 0.0) return 0.0;
-  return static_cast<double>(n * ab - sum_a * sum_b) / std::sqrt(energy_a * energy_b);
+  return (ab - sum_a * mean_b) / std::sqrt(energy_a * energy_b);
 }
 
 cv::Point Rounded(const Eigen::Vector2d& pixel) {
@@ -49,9 +49,10 @@ StereoMatcher::StereoMatcher(const Config& config, const StereoGeometry& geometr
     : config_(config), geometry_(geometry), tracker_(tracker) {
   RequireInput(config.min_depth_m > 0.0, "min_depth_m is {}; it must be positive",
                config.min_depth_m);
-  RequireInput(config.search_level >= 0 && config.search_radius_px >= 1,
-               "search_level is {} and search_radius_px {}; at least 0 and 1 are needed",
-               config.search_level, config.search_radius_px);
+  RequireInput(
+      config.search_level >= 0 && config.search_radius_px >= 1 && config.search_radius_px <= 50,
+      "search_level is {} and search_radius_px {}; at least 0 and within [1, 50]",
+      config.search_level, config.search_radius_px);
 }
 
 std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const cv::Mat& right,
