@@ -1,4 +1,4 @@
-// What the front end knows of one stereo frame: which landmarks both cameras see, and where.
+// What the visual front end has to say about one stereo frame.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,22 +10,23 @@
 
 namespace drydock::svin2 {
 
-/// Never used again for another landmark.
+/// Counts up from 1 and is never used again.
 using LandmarkId = std::uint64_t;
 
 struct TrackedPoint {
   LandmarkId id = 0;
-  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel in the left image, distorted.
-  std::optional<Eigen::Vector2d> right;            ///< In the right one, where it was found there.
-  double sigma_px = 1.0;                           ///< Of each coordinate.
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
+  std::optional<Eigen::Vector2d> right;            ///< Where stereo found it in this frame.
+  double sigma_px = 1.0;                           ///< Standard deviation of each coordinate.
 };
 
 struct TrackedFrame {
   Time t;
   std::vector<TrackedPoint> points;  ///< Sorted by id.
   bool is_keyframe = false;
-  int tracked = 0;          ///< Points that the frame before had as well.
-  int empty_quadrants = 0;  ///< Quarters of the left image without a point.
+  // For health:
+  int tracked = 0;          ///< Points that were known before this frame.
+  int empty_quadrants = 0;  ///< Of the left image.
 };
 
 }  // namespace drydock::svin2

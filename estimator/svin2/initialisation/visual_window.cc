@@ -80,6 +80,7 @@ std::optional<VisualWindow::Frame> VisualWindow::Locate(const TrackedFrame& fram
                                                         const Pose& prior) {
   const std::vector<Seen> known = KnownIn(frame);
   std::vector<LandmarkObservation> observations;
+  observations.reserve(known.size());
   for (const Seen& seen : known) {
     observations.push_back({landmarks_.at(seen.id).p_V, seen.camera, seen.pixel});
   }
@@ -138,6 +139,7 @@ std::vector<LandmarkId> VisualWindow::ChooseLandmarks() const {
     order.resize(config_.max_adjusted_landmarks);
   }
   std::vector<LandmarkId> chosen;
+  chosen.reserve(order.size());
   for (const auto& [count, id] : order) chosen.push_back(id);
   std::sort(chosen.begin(), chosen.end());
   return chosen;

@@ -26,8 +26,10 @@ constexpr double kSurface = 5.0;
 
 std::vector<Vector3d> ScatterLandmarks(std::uint64_t seed) {
   RandomStream random(seed, "landmarks");
+  constexpr int kCount = 4000;
   std::vector<Vector3d> landmarks;
-  for (int i = 0; i < 4000; ++i) {
+  landmarks.reserve(kCount);
+  for (int i = 0; i < kCount; ++i) {
     landmarks.emplace_back(random.Uniform(-3.0, 12.0), random.Uniform(-8.0, 8.0),
                            random.Uniform(-6.0, 4.0));
   }
@@ -36,7 +38,7 @@ std::vector<Vector3d> ScatterLandmarks(std::uint64_t seed) {
 
 class Eyes {
  public:
-  Eyes(const SyntheticDiveConfig& config)
+  explicit Eyes(const SyntheticDiveConfig& config)
       : config_(config),
         sheet_(V3Stereo()),
         landmarks_(ScatterLandmarks(config.seed)),
