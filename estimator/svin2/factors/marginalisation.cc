@@ -3,7 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "sensors_models/base/check.h"
@@ -14,11 +15,28 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The normal equations: cost = 1/2 dx' H dx + b' dx.
+/// The normal equations of some blocks: cost = 1/2 dx' H dx + b' dx.
 struct NormalEquations {
+  std::vector<std::size_t> members;  ///< The blocks, by their indices, rising.
+  std::vector<int> offsets;          ///< Where the tangent of each member begins.
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
-  std::vector<int> offsets;  ///< Where each block's tangent begins.
+
+  NormalEquations(std::span<const BlockValues> blocks, std::vector<std::size_t> of)
+      : members(std::move(of)) {
+    int size = 0;
+    for (const std::size_t k : members) {
+      offsets.push_back(size);
+      size += TangentSize(blocks[k]);
+    }
+    H.setZero(size, size);
+    b.setZero(size);
+  }
+
+  int OffsetOf(std::size_t block) const {
+    const auto at = std::lower_bound(members.begin(), members.end(), block);
+    return offsets[static_cast<std::size_t>(at - members.begin())];
+  }
 };
 
 /// Residuals and their derivatives by the tangents of the term's blocks.
@@ -68,30 +86,19 @@ Linearisation Linearise(const MarginalTerm& term, std::span<const BlockValues> b
   return AllFinite(linear) ? linear : Linearisation{};
 }
 
-NormalEquations Accumulate(std::span<const BlockValues> blocks,
-                           std::span<const MarginalTerm> terms) {
-  NormalEquations normal;
-  int size = 0;
-  for (const BlockValues& block : blocks) {
-    normal.offsets.push_back(size);
-    size += TangentSize(block);
-  }
-  normal.H.setZero(size, size);
-  normal.b.setZero(size);
-  for (const MarginalTerm& term : terms) {
-    const Linearisation linear = Linearise(term, blocks);
-    for (std::size_t i = 0; i < linear.jacobians.size(); ++i) {
-      const Eigen::MatrixXd& J_i = linear.jacobians[i];
-      const int at_i = normal.offsets[term.blocks[i]];
-      normal.b.segment(at_i, J_i.cols()) += J_i.transpose() * linear.error;
-      for (std::size_t j = 0; j < linear.jacobians.size(); ++j) {
-        const Eigen::MatrixXd& J_j = linear.jacobians[j];
-        normal.H.block(at_i, normal.offsets[term.blocks[j]], J_i.cols(), J_j.cols()) +=
-            J_i.transpose() * J_j;
-      }
+void AddTerm(std::span<const BlockValues> blocks, const MarginalTerm& term,
+             NormalEquations& normal) {
+  const Linearisation linear = Linearise(term, blocks);
+  for (std::size_t i = 0; i < linear.jacobians.size(); ++i) {
+    const Eigen::MatrixXd& J_i = linear.jacobians[i];
+    const int at_i = normal.OffsetOf(term.blocks[i]);
+    normal.b.segment(at_i, J_i.cols()) += J_i.transpose() * linear.error;
+    for (std::size_t j = 0; j < linear.jacobians.size(); ++j) {
+      const Eigen::MatrixXd& J_j = linear.jacobians[j];
+      normal.H.block(at_i, normal.OffsetOf(term.blocks[j]), J_i.cols(), J_j.cols()) +=
+          J_i.transpose() * J_j;
     }
   }
-  return normal;
 }
 
 /// A positive semi-definite matrix as F' F, and a left inverse of F' on its range.
@@ -140,6 +147,7 @@ void Eliminate(NormalEquations& normal, int at, int size) {
   normal.H.middleRows(at, size).setZero();
 }
 
+/// Blocks that are to go, the smallest first.
 std::vector<std::size_t> BlocksToEliminate(std::span<const BlockValues> blocks,
                                            std::span<const std::size_t> kept) {
   std::vector<std::size_t> eliminated;
@@ -151,21 +159,83 @@ std::vector<std::size_t> BlocksToEliminate(std::span<const BlockValues> blocks,
   return eliminated;
 }
 
+/// The terms in which a landmark (a block of 3) that is to go meets no other such: it can be
+/// eliminated from them alone, before the whole is put together. By landmark.
+struct TermGroups {
+  std::map<std::size_t, std::vector<std::size_t>> by_landmark;
+  std::vector<std::size_t> others;
+};
+
+TermGroups GroupTerms(std::span<const BlockValues> blocks, std::span<const MarginalTerm> terms,
+                      std::span<const std::size_t> kept) {
+  std::vector<bool> is_alone(blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k) is_alone[k] = blocks[k].size() == 3;
+  for (const std::size_t k : kept) is_alone[k] = false;
+  for (const MarginalTerm& term : terms) {
+    const auto count = std::count_if(term.blocks.begin(), term.blocks.end(),
+                                     [&](std::size_t k) { return blocks[k].size() == 3; });
+    if (count > 1)
+      for (const std::size_t k : term.blocks) is_alone[k] = false;
+  }
+  TermGroups groups;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const auto landmark = std::find_if(terms[k].blocks.begin(), terms[k].blocks.end(),
+                                       [&](std::size_t block) { return is_alone[block]; });
+    if (landmark == terms[k].blocks.end()) {
+      groups.others.push_back(k);
+    } else {
+      groups.by_landmark[*landmark].push_back(k);
+    }
+  }
+  return groups;
+}
+
+/// Adds what the terms of one landmark say about all other blocks.
+void AddWithoutLandmark(std::span<const BlockValues> blocks, std::span<const MarginalTerm> terms,
+                        std::size_t landmark, const std::vector<std::size_t>& of_landmark,
+                        NormalEquations& normal) {
+  std::set<std::size_t> members;
+  for (const std::size_t k : of_landmark)
+    members.insert(terms[k].blocks.begin(), terms[k].blocks.end());
+  NormalEquations local(blocks, {members.begin(), members.end()});
+  for (const std::size_t k : of_landmark) AddTerm(blocks, terms[k], local);
+  Eliminate(local, local.OffsetOf(landmark), TangentSize(blocks[landmark]));
+  for (const std::size_t i : local.members) {
+    if (i == landmark) continue;
+    const int to_i = normal.OffsetOf(i), from_i = local.OffsetOf(i), rows = TangentSize(blocks[i]);
+    normal.b.segment(to_i, rows) += local.b.segment(from_i, rows);
+    for (const std::size_t j : local.members) {
+      if (j == landmark) continue;
+      const int columns = TangentSize(blocks[j]);
+      normal.H.block(to_i, normal.OffsetOf(j), rows, columns) +=
+          local.H.block(from_i, local.OffsetOf(j), rows, columns);
+    }
+  }
+}
+
 }  // namespace
 
 LinearPrior Marginalise(std::span<const BlockValues> blocks, std::span<const MarginalTerm> terms,
                         std::span<const std::size_t> kept) {
   Check(!kept.empty(), "marginalisation must keep a block");
-  NormalEquations normal = Accumulate(blocks, terms);
+  const TermGroups groups = GroupTerms(blocks, terms, kept);
+  std::vector<std::size_t> members;
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    if (!groups.by_landmark.contains(k)) members.push_back(k);
+  NormalEquations normal(blocks, members);
+  for (const auto& [landmark, of_landmark] : groups.by_landmark)
+    AddWithoutLandmark(blocks, terms, landmark, of_landmark, normal);
+  for (const std::size_t k : groups.others) AddTerm(blocks, terms[k], normal);
   for (const std::size_t k : BlocksToEliminate(blocks, kept))
-    Eliminate(normal, normal.offsets[k], TangentSize(blocks[k]));
+    if (!groups.by_landmark.contains(k))
+      Eliminate(normal, normal.OffsetOf(k), TangentSize(blocks[k]));
 
   LinearPrior prior;
   std::vector<int> rows;
   for (const std::size_t k : kept) {
     prior.x0.push_back(blocks[k]);
     for (int axis = 0; axis < TangentSize(blocks[k]); ++axis)
-      rows.push_back(normal.offsets[k] + axis);
+      rows.push_back(normal.OffsetOf(k) + axis);
   }
   const Eigen::MatrixXd H = normal.H(rows, rows);
   const Factorised factorised = Factorise(0.5 * (H + H.transpose()));

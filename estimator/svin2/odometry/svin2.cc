@@ -71,9 +71,14 @@ void Svin2::StartFrom(const NavState& known, const PendingFrame& pending) {
   NavState state = known;
   if (const auto imu = imu_.Integrate(known.t, pending.t, {known.gyro_bias, known.accel_bias}))
     state = Propagate(known, *imu);
-  const TrackedFrame seen =
-      tracker_(pending.t, pending.frame, std::nullopt, [](LandmarkId) { return std::nullopt; });
-  window_.Start(state, config_.start, seen);
+  window_.Start(state, config_.start, Track(pending, std::nullopt));
+}
+
+TrackedFrame Svin2::Track(const PendingFrame& pending,
+                          const std::optional<MotionPrediction>& prediction) {
+  const StageClock::Lap lap(clock_, "front end");
+  return tracker_(pending.t, pending.frame, prediction,
+                  [this](LandmarkId id) { return window_.LandmarkPosition(id); });
 }
 
 void Svin2::Process(const PendingFrame& pending) {
@@ -85,15 +90,18 @@ void Svin2::Process(const PendingFrame& pending) {
     const auto imu = imu_.Integrate(before.t, pending.t, Bias());
     if (!imu) return;
     const MotionPrediction prediction{before.T_WI, window_.Predict(*imu).T_WI};
-    const TrackedFrame seen = tracker_(pending.t, pending.frame, prediction, [this](LandmarkId id) {
-      return window_.LandmarkPosition(id);
-    });
-    window_.AddFrame(seen, *imu);
+    window_.AddFrame(Track(pending, prediction), *imu);
   }
   AddPendingDepths(pending.t);
-  window_.Optimise();
+  {
+    const StageClock::Lap lap(clock_, "optimisation");
+    window_.Optimise();
+  }
   Publish();
-  window_.Slide();
+  {
+    const StageClock::Lap lap(clock_, "marginalisation");
+    window_.Slide();
+  }
   imu_.ForgetBefore(pending.t);
 }
 
