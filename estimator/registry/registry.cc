@@ -4,7 +4,7 @@
 #include <string>
 
 #include "estimator/dead_reckoning/dead_reckoning.h"
-#include "estimator/svin2/odometry/svin2_yaml.h"
+#include "estimator/svin2/odometry/svin2.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/yaml_reader.h"
 

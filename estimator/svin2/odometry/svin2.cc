@@ -1,16 +1,19 @@
 #include "estimator/svin2/odometry/svin2.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "sensors_models/models/pressure_model.h"
 
 namespace drydock::svin2 {
 namespace {
 
 /// A frame waits this long for the IMU samples up to its time.
-constexpr Duration kLongestWait = Duration{50'000'000};
-
-}  // namespace
+constexpr Duration kLongestWait{50'000'000};
+/// Samples this old may still serve an initialisation.
+constexpr Duration kInitialisationSpan{10'000'000'000};
 
 ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation) {
   ImuNoiseModel noise;
@@ -26,31 +29,75 @@ ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation) {
   return noise;
 }
 
+/// Of a reading against the first one [m]: both are noisy and rounded, and between frames the body
+/// is taken to rise evenly.
+double DepthSigma(const DepthSheet& sheet) {
+  constexpr double kBetweenFrames = 2e-3;
+  const double rounding = sheet.resolution_m / std::sqrt(12.0);
+  return std::hypot(std::sqrt(2.0) * sheet.noise_m, std::sqrt(2.0) * rounding, kBetweenFrames);
+}
+
+DepthSheet InitialisersDepth(const Rig& rig, const Svin2Config& config) {
+  DepthSheet sheet = rig.depth;
+  if (!config.use_depth) sheet.rate_hz = 0.0;
+  return sheet;
+}
+
+}  // namespace
+
 Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
     : rig_(rig),
       config_(config),
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
-      window_(config.window, StereoGeometry(rig.stereo)) {}
+      initialiser_(config.initialiser, rig.stereo,
+                   NoiseModelOf(rig.imu, config.imu_noise_inflation),
+                   InitialisersDepth(rig, config)),
+      depth_gate_(config.depth_gate),
+      monitor_(config.tracking) {}
 
 void Svin2::Start(const std::optional<NavState>& known) { known_ = known; }
 
 void Svin2::Add(const Measurement& measurement) {
   if (const auto* imu = std::get_if<ImuSample>(&measurement.reading)) {
-    imu_.Add(measurement.t, *imu);
+    if (!imu_.Add(measurement.t, *imu)) Refuse(measurement.t, refused_imu_, "an IMU sample");
   } else if (const auto* stereo = std::get_if<StereoFrame>(&measurement.reading)) {
-    frames_.push_back({measurement.t, measurement.t_arrival, *stereo});
+    AddStereo(measurement, *stereo);
   } else if (const auto* depth = std::get_if<DepthSample>(&measurement.reading)) {
-    if (config_.use_depth && std::isfinite(depth->depth))
-      depths_.push_back({measurement.t, depth->depth});
+    if (config_.use_depth) AddDepth(measurement.t, *depth);
   }
   ProcessPending(measurement.t_arrival);
 }
 
+void Svin2::AddStereo(const Measurement& measurement, const StereoFrame& images) {
+  if (last_frame_ && measurement.t <= *last_frame_) {
+    Refuse(measurement.t, refused_frames_, "a stereo frame");
+    return;
+  }
+  last_frame_ = measurement.t;
+  frames_.push_back({measurement.t, measurement.t_arrival, images});
+}
+
+void Svin2::AddDepth(Time t, const DepthSample& reading) {
+  if (!std::isfinite(reading.depth) || (last_depth_ && t <= *last_depth_)) {
+    Refuse(t, refused_depths_, "a depth reading");
+    return;
+  }
+  last_depth_ = t;
+  depths_.push_back({t, reading.depth});
+  initialiser_depths_.push_back({t, reading.depth});
+}
+
+void Svin2::Refuse(Time t, int& count, const char* what) {
+  if (++count == 1) Say(t, fmt::format("refused {}; more of them are counted only", what));
+}
+
 void Svin2::Finish() {
-  while (!frames_.empty()) {
-    Process(frames_.front());
-    frames_.pop_front();
+  for (; !frames_.empty(); frames_.pop_front()) Process(frames_.front());
+  if (refused_imu_ + refused_frames_ + refused_depths_ > 0) {
+    Say(last_tracked_.value_or(Time{}),
+        fmt::format("refused in all: {} IMU samples, {} stereo frames, {} depth readings",
+                    refused_imu_, refused_frames_, refused_depths_));
   }
 }
 
@@ -62,76 +109,163 @@ void Svin2::ProcessPending(Time now) {
   }
 }
 
-ImuBias Svin2::Bias() const {
-  const NavState latest = window_.Latest();
-  return {latest.gyro_bias, latest.accel_bias};
-}
-
-void Svin2::StartFrom(const NavState& known, const PendingFrame& pending) {
-  NavState state = known;
-  if (const auto imu = imu_.Integrate(known.t, pending.t, {known.gyro_bias, known.accel_bias}))
-    state = Propagate(known, *imu);
-  window_.Start(state, config_.start, Track(pending, std::nullopt));
+void Svin2::Process(const PendingFrame& pending) {
+  if (window_) {
+    Advance(pending);
+  } else if (known_) {
+    if (pending.t < known_->t) return;
+    BeginFrom(*known_, pending);
+  } else {
+    Initialise(Track(pending, std::nullopt));
+  }
+  last_tracked_ = pending.t;
+  initialiser_depths_.clear();
+  imu_.ForgetBefore(pending.t - kInitialisationSpan);
 }
 
 TrackedFrame Svin2::Track(const PendingFrame& pending,
                           const std::optional<MotionPrediction>& prediction) {
   const StageClock::Lap lap(clock_, "front end");
-  return tracker_(pending.t, pending.frame, prediction,
-                  [this](LandmarkId id) { return window_.LandmarkPosition(id); });
+  return tracker_(pending.t, pending.images, prediction, [this](LandmarkId id) {
+    return window_ ? window_->LandmarkPosition(id) : std::nullopt;
+  });
 }
 
-void Svin2::Process(const PendingFrame& pending) {
-  if (!window_.IsStarted()) {
-    if (!known_ || pending.t < known_->t) return;
-    StartFrom(*known_, pending);
-  } else {
-    const NavState before = window_.Latest();
-    const auto imu = imu_.Integrate(before.t, pending.t, Bias());
-    if (!imu) return;
-    const MotionPrediction prediction{before.T_WI, window_.Predict(*imu).T_WI};
-    window_.AddFrame(Track(pending, prediction), *imu);
-  }
-  AddPendingDepths(pending.t);
+void Svin2::Advance(const PendingFrame& pending) {
+  const NavState before = window_->Latest();
+  const auto imu =
+      imu_.Integrate(before.t, pending.t, ImuBias{before.gyro_bias, before.accel_bias});
+  if (!imu) return;
+  const MotionPrediction prediction{before.T_WI, Propagate(before, *imu).T_WI};
+  const TrackedFrame seen = Track(pending, prediction);
+  AddFrame(seen, *imu);
+  Publish();
+  if (monitor_.Status() == TrackingStatus::kLost) Initialise(seen);
+}
+
+void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
+  window_->AddFrame(seen, imu);
+  UseDepths();
   {
     const StageClock::Lap lap(clock_, "optimisation");
-    window_.Optimise();
+    window_->Optimise();
   }
-  Publish();
-  {
-    const StageClock::Lap lap(clock_, "marginalisation");
-    window_.Slide();
-  }
-  imu_.ForgetBefore(pending.t);
+  const StageClock::Lap lap(clock_, "marginalisation");
+  window_->Slide();
 }
 
-void Svin2::AddPendingDepths(Time until) {
-  while (!depths_.empty() && depths_.front().t <= until) {
-    const PendingDepth reading = depths_.front();
-    depths_.pop_front();
-    if (!depth_reference_) {
-      const double height = (window_.Latest().T_WI * rig_.depth.p_ID).z();
-      depth_reference_ = DepthReference{reading.depth, height};
-      continue;
-    }
-    const double rounding = rig_.depth.resolution_m / std::sqrt(12.0);
-    const double sigma = std::hypot(std::max(rig_.depth.noise_m, 1e-3), rounding, 2e-3);
-    window_.AddDepth(reading.t, {reading.depth, rig_.depth.p_ID, {}, sigma}, *depth_reference_);
+void Svin2::Initialise(const TrackedFrame& seen) {
+  const StageClock::Lap lap(clock_, "initialisation");
+  const Time since = last_tracked_.value_or(seen.t - kLongestWait);
+  const auto start =
+      initialiser_.Add(seen, imu_.Between(since, seen.t), std::span(initialiser_depths_));
+  if (!start) return;
+  Say(seen.t, "initialised: " + start->report.Line());
+  BeginFrom(*start);
+}
+
+void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
+  NavState state = known;
+  if (const auto imu = imu_.Integrate(known.t, pending.t, {known.gyro_bias, known.accel_bias}))
+    state = Propagate(known, *imu);
+  window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
+  window_->Start(state, config_.start, Track(pending, std::nullopt));
+  UseDepths();
+  Publish();
+}
+
+void Svin2::BeginFrom(const InitialisedStart& start) {
+  const Pose T_W_start = Placement(start.frames.front().tracked.t);
+  if (window_) ++map_id_;
+  const auto state_of = [&](const InitialisedFrame& frame) {
+    NavState state;
+    state.t = frame.tracked.t;
+    // The window sees by the rig's own scale.
+    const Pose T_start_I(frame.T_WI.q(), frame.T_WI.p() / start.scale);
+    state.T_WI = T_W_start * T_start_I;
+    state.v_W = T_W_start.q() * frame.v_W / start.scale;
+    state.gyro_bias = start.bias.gyro;
+    state.accel_bias = start.bias.accel;
+    return state;
+  };
+  TrackedFrame first = start.frames.front().tracked;
+  first.is_keyframe = true;
+  window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
+  window_->Start(state_of(start.frames.front()), config_.start, first);
+  monitor_.Restart();
+  for (std::size_t k = 1; k < start.frames.size(); ++k) {
+    const NavState before = window_->Latest();
+    const auto imu =
+        imu_.Integrate(before.t, start.frames[k].tracked.t, {before.gyro_bias, before.accel_bias});
+    if (imu) AddFrame(start.frames[k].tracked, *imu);
   }
+  Publish();
+}
+
+/// Where a map that begins at `t` is laid in W: at the origin or, after another map, where
+/// that one thought the body to be, upright.
+Pose Svin2::Placement(Time t) const {
+  const auto last = Interpolate(odometry_, t);
+  if (!last) return Pose::Identity();
+  return {FromYawPitchRoll(YawOf(last->q()), 0.0, 0.0), last->p()};
+}
+
+void Svin2::UseDepths() {
+  const Time now = window_->Latest().t;
+  while (!depths_.empty() && depths_.front().t <= now) {
+    UseDepth(depths_.front());
+    depths_.pop_front();
+  }
+}
+
+void Svin2::UseDepth(const TimedDepth& reading) {
+  const NavState state = window_->Latest();
+  const double age = (state.t - reading.t).Seconds();
+  const double height = (state.T_WI * rig_.depth.p_ID).z() - age * state.v_W.z();
+  if (!depth_reference_) {
+    // Before this frame the height was another one.
+    if (age < 0.2) depth_reference_ = DepthReference{reading.depth, height};
+    return;
+  }
+  const double expected = depth_reference_->depth - (height - depth_reference_->height_W);
+  if (!depth_gate_.Believes(reading.t, reading.depth - expected)) {
+    Say(reading.t, fmt::format("a depth of {:.2f} m was not believed: {:.2f} m were expected",
+                               reading.depth, expected));
+    return;
+  }
+  const DepthObservation observation{reading.depth, rig_.depth.p_ID, {}, DepthSigma(rig_.depth)};
+  window_->AddDepth(reading.t, observation, *depth_reference_);
 }
 
 void Svin2::Publish() {
   NavEstimate estimate;
-  estimate.state = window_.Latest();
+  estimate.state = window_->Latest();
   {
     const StageClock::Lap lap(clock_, "covariance");
-    estimate.pose_covariance = window_.LatestCovariance();
+    estimate.pose_covariance = window_->LatestCovariance();
   }
-  estimate.status = TrackingStatus::kTracking;
+  estimate.status = monitor_.Update(estimate.state.t, window_->LandmarksInView());
+  estimate.map_id = map_id_;
   latest_ = estimate;
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});
 }
 
-std::optional<NavEstimate> Svin2::Latest() const { return latest_; }
+std::vector<Eigen::Vector3d> Svin2::Map() const {
+  return window_ ? window_->LandmarkPositions() : std::vector<Eigen::Vector3d>{};
+}
+
+void Svin2::Say(Time t, std::string message) { events_.push_back({t, std::move(message)}); }
+
+std::vector<EstimatorEvent> Svin2::TakeEvents() { return std::exchange(events_, {}); }
+
+std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config) {
+  const auto tracker = std::make_shared<FeatureTracker>(config.frontend, rig.stereo);
+  return std::make_unique<Svin2>(
+      rig, config,
+      [tracker](Time t, const StereoFrame& images, const std::optional<MotionPrediction>& motion,
+                const LandmarkLookup& landmarks) {
+        return tracker->Track(t, images, motion, landmarks);
+      });
+}
 
 }  // namespace drydock::svin2

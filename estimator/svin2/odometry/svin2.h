@@ -3,14 +3,15 @@
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "estimator/interface/estimator.h"
-#include "estimator/svin2/frontend/feature_tracker.h"
-#include "estimator/svin2/frontend/motion_prediction.h"
+#include "estimator/svin2/initialisation/initialiser.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
-#include "estimator/svin2/window/sliding_window.h"
+#include "estimator/svin2/odometry/svin2_config.h"
 #include "sensors_models/measurement/rig.h"
 
 namespace drydock::svin2 {
@@ -19,62 +20,76 @@ namespace drydock::svin2 {
 using Tracker = std::function<TrackedFrame(
     Time, const StereoFrame&, const std::optional<MotionPrediction>&, const LandmarkLookup&)>;
 
-struct Svin2Config {
-  bool use_sonar = true;
-  bool use_depth = true;
-  /// What the estimator believes of the IMU's noise, as a multiple of its sheet.
-  double imu_noise_inflation = 2.0;
-  FeatureTracker::Config frontend;
-  WindowConfig window;
-  StartSigmas start;
-};
-
+/// The estimator of the paper, without loop closing. Publishes a pose at each stereo frame, once
+/// the IMU has come up to it. Readings that are not finite, and stamps that are not later than the
+/// one before of the same sensor, are refused and counted.
 class Svin2 final : public Estimator {
  public:
   Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker);
 
+  /// Without `known` it initialises itself; W's origin and yaw are then those of the body there.
   void Start(const std::optional<NavState>& known) override;
   void Add(const Measurement& measurement) override;
   void Finish() override;
-  std::optional<NavEstimate> Latest() const override;
+
+  std::optional<NavEstimate> Latest() const override { return latest_; }
   const Trajectory& Odometry() const override { return odometry_; }
-  std::vector<Eigen::Vector3d> Map() const override { return window_.LandmarkPositions(); }
+  std::vector<Eigen::Vector3d> Map() const override;
+  std::vector<EstimatorEvent> TakeEvents() override;
   EstimatorTimings Timings() const override { return clock_.Summary(); }
 
  private:
   struct PendingFrame {
     Time t, t_arrival;
-    StereoFrame frame;
-  };
-  struct PendingDepth {
-    Time t;
-    double depth = 0.0;
+    StereoFrame images;
   };
 
+  void AddStereo(const Measurement& measurement, const StereoFrame& images);
+  void AddDepth(Time t, const DepthSample& reading);
+  void Refuse(Time t, int& count, const char* what);
   void ProcessPending(Time now);
   void Process(const PendingFrame& pending);
-  void StartFrom(const NavState& known, const PendingFrame& pending);
+
   TrackedFrame Track(const PendingFrame& pending,
                      const std::optional<MotionPrediction>& prediction);
-  void AddPendingDepths(Time until);
-  ImuBias Bias() const;
+  void Advance(const PendingFrame& pending);
+  void Initialise(const TrackedFrame& seen);
+  void BeginFrom(const NavState& known, const PendingFrame& pending);
+  void BeginFrom(const InitialisedStart& start);
+  Pose Placement(Time t) const;
+  void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
+  void UseDepths();
+  void UseDepth(const TimedDepth& reading);
   void Publish();
+  void Say(Time t, std::string message);
 
   Rig rig_;
   Svin2Config config_;
   Tracker tracker_;
   ImuBuffer imu_;
-  SlidingWindow window_;
+  Initialiser initialiser_;
+  std::unique_ptr<SlidingWindow> window_;  // Nothing before the first state.
+  DepthGate depth_gate_;
+  TrackingMonitor monitor_;
+
   std::deque<PendingFrame> frames_;
-  std::deque<PendingDepth> depths_;
+  std::optional<Time> last_frame_;              // Taken in.
+  std::optional<Time> last_tracked_;            // Processed.
+  std::deque<TimedDepth> depths_;               // For the window.
+  std::vector<TimedDepth> initialiser_depths_;  // Since the last frame.
+  std::optional<Time> last_depth_;
   std::optional<DepthReference> depth_reference_;
   std::optional<NavState> known_;
+
   std::optional<NavEstimate> latest_;
   Trajectory odometry_;
+  int map_id_ = 0;
+  int refused_imu_ = 0, refused_frames_ = 0, refused_depths_ = 0;
+  std::vector<EstimatorEvent> events_;
   StageClock clock_;
 };
 
-/// The rig's sheet with its noise inflated.
-ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation);
+/// SVIn2 with its own front end.
+std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config);
 
 }  // namespace drydock::svin2

@@ -1,8 +1,5 @@
-#include "estimator/svin2/odometry/svin2_yaml.h"
+#include "estimator/svin2/odometry/svin2_config.h"
 
-#include <utility>
-
-#include "estimator/svin2/frontend/feature_tracker.h"
 #include "sensors_models/base/yaml_reader.h"
 
 namespace drydock::svin2 {
@@ -29,19 +26,12 @@ Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults
     config.use_depth = reader.Boolean("use_depth", config.use_depth);
     config.imu_noise_inflation =
         reader.Real("imu_noise_inflation", {0.1, 100.0}, config.imu_noise_inflation);
+    reader.OptionalMap("initialiser", [&](YamlReader& initialiser) {
+      config.initialiser = ReadInitialiserConfig(initialiser);
+    });
     reader.OptionalMap("window", [&](YamlReader& window) { ReadWindow(window, config.window); });
     return config;
   });
-}
-
-std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config) {
-  const auto tracker = std::make_shared<FeatureTracker>(config.frontend, rig.stereo);
-  return std::make_unique<Svin2>(
-      rig, config,
-      [tracker](Time t, const StereoFrame& images, const std::optional<MotionPrediction>& motion,
-                const LandmarkLookup& landmarks) {
-        return tracker->Track(t, images, motion, landmarks);
-      });
 }
 
 }  // namespace drydock::svin2

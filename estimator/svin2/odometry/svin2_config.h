@@ -1,0 +1,30 @@
+// Everything that SVIn2 can be told.
+#pragma once
+
+#include "estimator/svin2/frontend/feature_tracker.h"
+#include "estimator/svin2/initialisation/initialiser_config.h"
+#include "estimator/svin2/odometry/depth_gate.h"
+#include "estimator/svin2/odometry/tracking_monitor.h"
+#include "estimator/svin2/window/sliding_window.h"
+#include "sensors_models/base/yaml_node.h"
+
+namespace drydock::svin2 {
+
+struct Svin2Config {
+  bool use_sonar = true;
+  bool use_depth = true;
+  /// What is believed of the IMU's noise, as a multiple of its sheet: scale errors, misalignment
+  /// and integration are not in the model.
+  double imu_noise_inflation = 2.0;
+  FeatureTracker::Config frontend;
+  InitialiserConfig initialiser;
+  WindowConfig window;
+  StartSigmas start;  ///< Of a state that was found or told.
+  DepthGate::Config depth_gate;
+  TrackingMonitor::Config tracking;
+};
+
+/// Reads `options` over `defaults`, strictly: InputError with file, line and key.
+Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults);
+
+}  // namespace drydock::svin2

@@ -1,0 +1,18 @@
+#include "estimator/svin2/odometry/tracking_monitor.h"
+
+namespace drydock::svin2 {
+
+TrackingStatus TrackingMonitor::Update(Time t, int landmarks_in_view) {
+  if (status_ == TrackingStatus::kLost) return status_;
+  if (!last_seen_ || landmarks_in_view >= config_.min_landmarks) last_seen_ = t;
+  if (landmarks_in_view >= config_.min_landmarks) {
+    status_ = TrackingStatus::kTracking;
+  } else if ((t - *last_seen_).Seconds() > config_.longest_blindness_s) {
+    status_ = TrackingStatus::kLost;
+  } else {
+    status_ = TrackingStatus::kDeadReckoning;
+  }
+  return status_;
+}
+
+}  // namespace drydock::svin2
