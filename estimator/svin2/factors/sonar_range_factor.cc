@@ -11,20 +11,22 @@ SonarRangeFactor::SonarRangeFactor(const SonarRangeObservation& observation, std
     : range_(observation.range),
       p_IS_(observation.T_frame_ping * observation.p_IS),
       sigma_(std::hypot(observation.sigma_range, observation.sigma_patch)),
-      landmarks_(landmarks) {
+      landmarks_(landmarks),
+      count_(static_cast<double>(landmarks + observation.fixed_landmarks.size())) {
   Check(observation.sigma_range > 0.0, "a range's standard deviation must be above 0, not {}",
         observation.sigma_range);
-  Check(landmarks > 0, "a sonar patch needs a landmark");
+  Check(count_ > 0.0, "a sonar patch needs a landmark");
+  for (const Eigen::Vector3d& fixed : observation.fixed_landmarks) fixed_sum_ += fixed;
   set_num_residuals(1);
   mutable_parameter_block_sizes()->push_back(7);
   for (std::size_t k = 0; k < landmarks; ++k) mutable_parameter_block_sizes()->push_back(3);
 }
 
 Eigen::Vector3d SonarRangeFactor::PatchMean(double const* const* parameters) const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = fixed_sum_;
   for (std::size_t k = 1; k <= landmarks_; ++k)
     sum += Eigen::Map<const Eigen::Vector3d>(parameters[k]);
-  return sum / static_cast<double>(landmarks_);
+  return sum / count_;
 }
 
 bool SonarRangeFactor::Evaluate(double const* const* parameters, double* residuals,
@@ -47,7 +49,7 @@ bool SonarRangeFactor::Evaluate(double const* const* parameters, double* residua
   for (std::size_t k = 1; k <= landmarks_; ++k) {
     if (jacobians[k] == nullptr) continue;
     Eigen::Map<Eigen::RowVector3d> block(jacobians[k]);
-    block = u / static_cast<double>(landmarks_);
+    block = u / count_;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <ceres/cost_function.h>
 
@@ -22,10 +23,13 @@ struct SonarRangeObservation {
   /// Of what the patch stands off from the face that gave the echo [m]: its roughness, and the
   /// uncertainty of landmarks that are held fixed.
   double sigma_patch = 0.0;
+  /// Landmarks of the patch that are no longer estimated [m, in W].
+  std::vector<Eigen::Vector3d> fixed_landmarks;
 };
 
-/// Parameters: pose T_WI (7), then the N landmarks of the patch l_1 ... l_N [m, in W] (3 each).
-/// With the sonar's head at p_S = T_WI T_frame_ping p_IS and the patch's mean m:
+/// Parameters: pose T_WI (7), then those landmarks of the patch that are estimated [m, in W] (3
+/// each). With the sonar's head at p_S = T_WI T_frame_ping p_IS and m the mean of all N landmarks
+/// of the patch, fixed ones included:
 ///   e = (range - |p_S - m|) / sigma,   1 / sigma^2 = 1 / (sigma_range^2 + sigma_patch^2)
 /// Tangents: [dp, da], exp(da) q; dl. With u = (p_S - m) / |p_S - m|:
 ///   de/dp = -u',   de/da = u' [R T_frame_ping p_IS]x,   de/dl = u' / N   (each over sigma)
@@ -38,7 +42,7 @@ struct SonarRangeObservation {
 /// At |p_S - m| < 1 um the direction is unknown and the derivatives are 0.
 class SonarRangeFactor final : public ceres::CostFunction {
  public:
-  /// `landmarks` > 0: how many make the patch.
+  /// `landmarks`: how many of the patch are estimated; it has at least one, fixed ones included.
   SonarRangeFactor(const SonarRangeObservation& observation, std::size_t landmarks);
 
   bool Evaluate(double const* const* parameters, double* residuals,
@@ -51,6 +55,8 @@ class SonarRangeFactor final : public ceres::CostFunction {
   Eigen::Vector3d p_IS_;  ///< The head at the ping, in the body's frame at the pose.
   double sigma_;
   std::size_t landmarks_;
+  Eigen::Vector3d fixed_sum_ = Eigen::Vector3d::Zero();
+  double count_;  ///< N.
 };
 
 }  // namespace drydock::svin2

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sensors_models/models/pressure_model.h"
+#include "sensors_models/models/sonar_model.h"
 
 namespace drydock::svin2 {
 namespace {
@@ -54,7 +54,8 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
                    NoiseModelOf(rig.imu, config.imu_noise_inflation),
                    InitialisersDepth(rig, config)),
       depth_gate_(config.depth_gate),
-      monitor_(config.tracking) {}
+      monitor_(config.tracking),
+      landmark_memory_(Duration::FromSeconds(config.sonar.memory_s)) {}
 
 void Svin2::Start(const std::optional<NavState>& known) { known_ = known; }
 
@@ -65,6 +66,8 @@ void Svin2::Add(const Measurement& measurement) {
     AddStereo(measurement, *stereo);
   } else if (const auto* depth = std::get_if<DepthSample>(&measurement.reading)) {
     if (config_.use_depth) AddDepth(measurement.t, *depth);
+  } else if (const auto* ping = std::get_if<SonarPing>(&measurement.reading)) {
+    if (config_.use_sonar && rig_.HasSonar()) AddPing(measurement.t, *ping);
   }
   ProcessPending(measurement.t_arrival);
 }
@@ -88,16 +91,29 @@ void Svin2::AddDepth(Time t, const DepthSample& reading) {
   initialiser_depths_.push_back({t, reading.depth});
 }
 
+void Svin2::AddPing(Time t, const SonarPing& ping) {
+  if (!std::isfinite(ping.range) || !std::isfinite(ping.head_angle) ||
+      (last_ping_ && t <= *last_ping_)) {
+    Refuse(t, refused_pings_, "a sonar ping");
+    return;
+  }
+  last_ping_ = t;
+  // No echo, or one beyond what the paper's authors found to be true.
+  if (ping.range >= rig_.sonar.min_range_m && ping.range <= config_.sonar.max_range_m &&
+      ping.range > 0.0)
+    pings_.push_back({t, ping});
+}
+
 void Svin2::Refuse(Time t, int& count, const char* what) {
   if (++count == 1) Say(t, fmt::format("refused {}; more of them are counted only", what));
 }
 
 void Svin2::Finish() {
   for (; !frames_.empty(); frames_.pop_front()) Process(frames_.front());
-  if (refused_imu_ + refused_frames_ + refused_depths_ > 0) {
+  if (refused_imu_ + refused_frames_ + refused_depths_ + refused_pings_ > 0) {
     Say(last_tracked_.value_or(Time{}),
-        fmt::format("refused in all: {} IMU samples, {} stereo frames, {} depth readings",
-                    refused_imu_, refused_frames_, refused_depths_));
+        fmt::format("refused in all: {} IMU samples, {} stereo frames, {} depth readings, {} pings",
+                    refused_imu_, refused_frames_, refused_depths_, refused_pings_));
   }
 }
 
@@ -136,22 +152,25 @@ void Svin2::Advance(const PendingFrame& pending) {
   const auto imu =
       imu_.Integrate(before.t, pending.t, ImuBias{before.gyro_bias, before.accel_bias});
   if (!imu) return;
-  const MotionPrediction prediction{before.T_WI, Propagate(before, *imu).T_WI};
-  const TrackedFrame seen = Track(pending, prediction);
+  const NavState now = Propagate(before, *imu);
+  const TrackedFrame seen = Track(pending, MotionPrediction{before.T_WI, now.T_WI});
   AddFrame(seen, *imu);
   Publish();
   if (monitor_.Status() == TrackingStatus::kLost) Initialise(seen);
 }
 
 void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
+  const NavState before = window_->Latest();
   window_->AddFrame(seen, imu);
   UseDepths();
+  UsePings(before, window_->Latest());
   {
     const StageClock::Lap lap(clock_, "optimisation");
     window_->Optimise();
   }
   const StageClock::Lap lap(clock_, "marginalisation");
   window_->Slide();
+  landmark_memory_.Add(seen.t, window_->TakeDeparted());
 }
 
 void Svin2::Initialise(const TrackedFrame& seen) {
@@ -235,6 +254,51 @@ void Svin2::UseDepth(const TimedDepth& reading) {
   }
   const DepthObservation observation{reading.depth, rig_.depth.p_ID, {}, DepthSigma(rig_.depth)};
   window_->AddDepth(reading.t, observation, *depth_reference_);
+}
+
+void Svin2::UsePings(const NavState& before, const NavState& now) {
+  const StageClock::Lap lap(clock_, "sonar");
+  // Pings of one sweep hit the same face: the surest one says what they all say.
+  std::optional<SonarPatch> best;
+  SonarRangeObservation observation;
+  for (; !pings_.empty() && pings_.front().t <= now.t; pings_.pop_front()) {
+    const auto& [t, ping] = pings_.front();
+    const auto imu = imu_.Integrate(before.t, t, {before.gyro_bias, before.accel_bias});
+    if (!imu) continue;
+    const Pose T_WI = Propagate(before, *imu).T_WI;
+    const Pose T_WS = T_WI * rig_.sonar.T_IS;
+    const auto patch = PatchOf({T_WS.p(), T_WS.q() * SonarBeam(ping.head_angle), ping.range});
+    if (!patch || (best && patch->sigma >= best->sigma)) continue;
+    best = patch;
+    observation.range = ping.range + patch->range_correction;
+    observation.T_frame_ping = now.T_WI.Inverse() * T_WI;
+  }
+  if (!best) return;
+  observation.p_IS = rig_.sonar.T_IS.p();
+  observation.sigma_range = SonarRangeSigma(rig_.sonar);
+  observation.sigma_patch = best->sigma;
+  std::vector<LandmarkId> estimated;
+  for (const PatchCandidate& member : best->members) {
+    if (member.id) {
+      estimated.push_back(*member.id);
+    } else {
+      observation.fixed_landmarks.push_back(member.p_W);
+    }
+  }
+  window_->AddSonar(observation, estimated);
+}
+
+std::optional<SonarPatch> Svin2::PatchOf(const PingRay& ping) const {
+  const Eigen::Vector3d echo = ping.head_W + ping.range * ping.direction_W;
+  const double radius = PatchRadius(ping, config_.sonar.patch);
+  std::vector<PatchCandidate> candidates;
+  landmark_memory_.ForEachNear(echo, radius, [&](const Eigen::Vector3d& p_W) {
+    candidates.push_back({p_W, std::nullopt});
+  });
+  window_->ForEachLandmark([&](LandmarkId id, const Eigen::Vector3d& p_W) {
+    if ((p_W - echo).squaredNorm() <= radius * radius) candidates.push_back({p_W, id});
+  });
+  return FindSonarPatch(ping, candidates, config_.sonar.patch);
 }
 
 void Svin2::Publish() {

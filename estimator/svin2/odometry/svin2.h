@@ -12,6 +12,8 @@
 #include "estimator/svin2/initialisation/initialiser.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
 #include "estimator/svin2/odometry/svin2_config.h"
+#include "estimator/svin2/sonar/landmark_memory.h"
+#include "estimator/svin2/sonar/sonar_patch.h"
 #include "sensors_models/measurement/rig.h"
 
 namespace drydock::svin2 {
@@ -44,8 +46,14 @@ class Svin2 final : public Estimator {
     StereoFrame images;
   };
 
+  struct PendingPing {
+    Time t;
+    SonarPing ping;
+  };
+
   void AddStereo(const Measurement& measurement, const StereoFrame& images);
   void AddDepth(Time t, const DepthSample& reading);
+  void AddPing(Time t, const SonarPing& ping);
   void Refuse(Time t, int& count, const char* what);
   void ProcessPending(Time now);
   void Process(const PendingFrame& pending);
@@ -58,6 +66,8 @@ class Svin2 final : public Estimator {
   void BeginFrom(const InitialisedStart& start);
   Pose Placement(Time t) const;
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
+  void UsePings(const NavState& before, const NavState& now);
+  std::optional<SonarPatch> PatchOf(const PingRay& ping) const;
   void UseDepths();
   void UseDepth(const TimedDepth& reading);
   void Publish();
@@ -78,13 +88,16 @@ class Svin2 final : public Estimator {
   std::deque<TimedDepth> depths_;               // For the window.
   std::vector<TimedDepth> initialiser_depths_;  // Since the last frame.
   std::optional<Time> last_depth_;
+  std::deque<PendingPing> pings_;
+  std::optional<Time> last_ping_;
+  LandmarkMemory landmark_memory_;
   std::optional<DepthReference> depth_reference_;
   std::optional<NavState> known_;
 
   std::optional<NavEstimate> latest_;
   Trajectory odometry_;
   int map_id_ = 0;
-  int refused_imu_ = 0, refused_frames_ = 0, refused_depths_ = 0;
+  int refused_imu_ = 0, refused_frames_ = 0, refused_depths_ = 0, refused_pings_ = 0;
   std::vector<EstimatorEvent> events_;
   StageClock clock_;
 };

@@ -5,10 +5,17 @@
 #include "estimator/svin2/initialisation/initialiser_config.h"
 #include "estimator/svin2/odometry/depth_gate.h"
 #include "estimator/svin2/odometry/tracking_monitor.h"
+#include "estimator/svin2/sonar/sonar_patch.h"
 #include "estimator/svin2/window/sliding_window.h"
 #include "sensors_models/base/yaml_node.h"
 
 namespace drydock::svin2 {
+
+struct SonarConfig {
+  SonarPatchConfig patch;
+  double memory_s = 15.0;    ///< For which landmarks are remembered that left the window.
+  double max_range_m = 4.5;  ///< Echoes from further away are not believed.
+};
 
 struct Svin2Config {
   bool use_sonar = true;
@@ -20,6 +27,7 @@ struct Svin2Config {
   InitialiserConfig initialiser;
   WindowConfig window;
   StartSigmas start;  ///< Of a state that was found or told.
+  SonarConfig sonar;
   DepthGate::Config depth_gate;
   TrackingMonitor::Config tracking;
 };

@@ -114,6 +114,52 @@ void SlidingWindow::AddDepth(Time t, DepthObservation observation,
                    {nearest->pose, *nearest->speed_bias});
 }
 
+void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated) {
+  Ping ping{frames_.back().index, std::move(observation), std::move(estimated), {}};
+  ping.factor = AddFactorOf(ping);
+  pings_.push_back(std::move(ping));
+}
+
+FactorId SlidingWindow::AddFactorOf(const Ping& ping) {
+  std::vector<BlockId> blocks = {FrameAt(ping.frame).pose};
+  for (const LandmarkId id : ping.estimated) blocks.push_back(*points_.at(id).landmark);
+  return graph_.AddFactor(
+      std::make_unique<SonarRangeFactor>(ping.observation, ping.estimated.size()), blocks,
+      config_.cauchy_scale);
+}
+
+void SlidingWindow::FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which) {
+  std::vector<LandmarkId> still_estimated;
+  for (const LandmarkId id : ping.estimated) {
+    if (which(id)) {
+      ping.observation.fixed_landmarks.push_back(PositionOf(points_.at(id)));
+    } else {
+      still_estimated.push_back(id);
+    }
+  }
+  if (still_estimated.size() == ping.estimated.size()) return;
+  ping.estimated = still_estimated;
+  graph_.RemoveFactor(ping.factor);
+  ping.factor = AddFactorOf(ping);
+}
+
+void SlidingWindow::FixPingsOf(std::int64_t frame) {
+  for (Ping& ping : pings_)
+    if (ping.frame == frame) FixLandmarks(ping, [](LandmarkId) { return true; });
+  std::erase_if(pings_, [frame](const Ping& ping) { return ping.frame == frame; });
+}
+
+void SlidingWindow::Depart(LandmarkId id, const Point& point) {
+  departed_.push_back(PositionOf(point));
+  for (Ping& ping : pings_) FixLandmarks(ping, [id](LandmarkId other) { return other == id; });
+}
+
+std::vector<Eigen::Vector3d> SlidingWindow::TakeDeparted() { return std::exchange(departed_, {}); }
+
+Eigen::Vector3d SlidingWindow::PositionOf(const Point& point) const {
+  return Eigen::Map<const Eigen::Vector3d>(graph_.Values(*point.landmark).data());
+}
+
 SolverReport SlidingWindow::Optimise() {
   RenewImuFactors();
   TriangulateNewLandmarks();
@@ -164,7 +210,10 @@ void SlidingWindow::DropUnseenPoints() {
       ++at;
       continue;
     }
-    if (point.landmark) graph_.RemoveBlock(*point.landmark);
+    if (point.landmark) {
+      Depart(at->first, point);
+      graph_.RemoveBlock(*point.landmark);
+    }
     at = points_.erase(at);
   }
 }
@@ -181,6 +230,7 @@ void SlidingWindow::Slide() {
       (oldest + 1)->imu.reset();
     } else {
       DropObservations(oldest->index);
+      FixPingsOf(oldest->index);
       const std::array<BlockId, 2> gone = {oldest->pose, *oldest->speed_bias};
       graph_.Marginalise(gone);
       (oldest + 1)->imu.reset();
@@ -204,6 +254,7 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
     const bool lives =
         !point.observations.empty() && point.observations.back().frame >= first_recent;
     if (seen_there && !lives && point.landmark) {
+      Depart(at->first, point);
       gone.push_back(*point.landmark);
       at = points_.erase(at);
     } else {
@@ -211,6 +262,7 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
     }
   }
   DropObservations(frame.index);
+  FixPingsOf(frame.index);
   gone.push_back(frame.pose);
   graph_.Marginalise(gone);
 }
@@ -247,7 +299,7 @@ NavState SlidingWindow::Predict(const ImuPreintegration& imu) const {
 std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) const {
   const auto at = points_.find(id);
   if (at == points_.end() || !at->second.landmark) return std::nullopt;
-  return Eigen::Map<const Eigen::Vector3d>(graph_.Values(*at->second.landmark).data());
+  return PositionOf(at->second);
 }
 
 std::vector<Eigen::Vector3d> SlidingWindow::LandmarkPositions() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "estimator/interface/estimator.h"
 #include "estimator/svin2/factors/depth_factor.h"
 #include "estimator/svin2/factors/prior_factors.h"
+#include "estimator/svin2/factors/sonar_range_factor.h"
 #include "estimator/svin2/frontend/stereo_geometry.h"
 #include "estimator/svin2/frontend/tracked_frame.h"
 #include "estimator/svin2/frontend/triangulation.h"
@@ -50,6 +52,11 @@ class SlidingWindow {
   /// Ties a pressure reading taken at `t` to the frame nearest to it.
   void AddDepth(Time t, DepthObservation observation, const DepthReference& reference);
 
+  /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
+  /// the observation holds the others. When a landmark or the frame leaves, what is left of the
+  /// patch counts as fixed.
+  void AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated);
+
   /// Moves all states to where measurements agree best, and takes away observations that do not.
   SolverReport Optimise();
   /// Marginalises what is beyond the window's size.
@@ -61,6 +68,14 @@ class SlidingWindow {
   NavState Predict(const ImuPreintegration& imu) const;
   std::optional<Eigen::Vector3d> LandmarkPosition(LandmarkId id) const;
   std::vector<Eigen::Vector3d> LandmarkPositions() const;
+  /// Calls `visit` with id and position [m, in W] of each landmark.
+  template <typename Visit>
+  void ForEachLandmark(Visit visit) const {
+    for (const auto& [id, point] : points_)
+      if (point.landmark) visit(id, PositionOf(point));
+  }
+  /// The last positions [m, in W] of the landmarks that left since the last call.
+  std::vector<Eigen::Vector3d> TakeDeparted();
   int NumFrames() const { return static_cast<int>(frames_.size()); }
   /// Landmarks that the latest frame sees.
   int LandmarksInView() const;
@@ -90,6 +105,13 @@ class SlidingWindow {
     std::vector<Observation> observations;
   };
 
+  struct Ping {
+    std::int64_t frame = 0;
+    SonarRangeObservation observation;
+    std::vector<LandmarkId> estimated;
+    FactorId factor;
+  };
+
   Frame& AddState(const NavState& state, const TrackedFrame& seen);
   void AddObservations(const Frame& frame, const TrackedFrame& seen);
   void TriangulateNewLandmarks();
@@ -100,6 +122,11 @@ class SlidingWindow {
   void DropObservations(std::int64_t frame);
   void DropUnseenPoints();
   void MarginaliseKeyframe(const Frame& frame);
+  void Depart(LandmarkId id, const Point& point);
+  FactorId AddFactorOf(const Ping& ping);
+  void FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which);
+  void FixPingsOf(std::int64_t frame);
+  Eigen::Vector3d PositionOf(const Point& point) const;
   const Frame& FrameAt(std::int64_t index) const;
   int NumRecent() const;
   NavState StateOf(const Frame& frame) const;
@@ -109,6 +136,8 @@ class SlidingWindow {
   FactorGraph graph_;
   std::deque<Frame> frames_;  // The oldest first.
   std::map<LandmarkId, Point> points_;
+  std::vector<Ping> pings_;
+  std::vector<Eigen::Vector3d> departed_;
   std::int64_t next_index_ = 0;
 };
 

@@ -46,6 +46,21 @@ TEST(SonarRangeFactor, ValueAndDerivativesByHand) {
   EXPECT_EQ(jacobians[1], jacobians[2]);
 }
 
+TEST(SonarRangeFactor, FixedLandmarksCountInTheMeanAndDoNotMove) {
+  // As above with the first landmark fixed, and with both.
+  SonarRangeObservation observation = Observation(2.1);
+  observation.fixed_landmarks = {Vector3d(0.028, 0.216, 2.125)};
+  const Vector3d second(0.228, -0.184, 2.125);
+  const SonarRangeFactor one(observation, 1);
+  const Blocks states = {Block(ToParameters(Pose())), Block(second)};
+  EXPECT_NEAR(testing::Residuals(one, states)[0], 0.1 / 0.05, 1e-12);
+  const auto jacobians = testing::TangentJacobians(one, states);
+  EXPECT_LT((jacobians[1] - Eigen::RowVector3d(0, 0, -0.5) / 0.05).norm(), 1e-12);
+  observation.fixed_landmarks.push_back(second);
+  const SonarRangeFactor none(observation, 0);
+  EXPECT_NEAR(testing::Residuals(none, {Block(ToParameters(Pose()))})[0], 0.1 / 0.05, 1e-12);
+}
+
 TEST(SonarRangeFactor, VanishesAtTheEchoSeenAtThePingsOwnTime) {
   // A ping 25 ms after the frame, and a patch of four whose mean is the echo.
   const NavState frame = testing::MotionAt({1'000'000'000});
