@@ -1,6 +1,7 @@
 #include "estimator/svin2/initialisation/bundle_adjustment.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -12,6 +13,10 @@ namespace {
 
 // Where Cauchy's loss bends [sigmas].
 constexpr double kBend = 2.0;
+// The weighted mean of a coordinate's squared error where noise is Gaussian with a variance of 1.
+// With u = e'e / 2 distributed as exp(-u) and weights w = 1 / (1 + u / 2), E[w] = 2 e^2 E1(2) =
+// 0.7227 and E[w u] = 2 (1 - E[w]).
+constexpr double kGaussianShare = 2.0 * (1.0 - 0.7227) / 0.7227;
 // A landmark behind a camera costs as much as being this many sigmas away.
 constexpr double kBehind = 100.0;
 
@@ -57,25 +62,38 @@ class Adjustment {
 
  private:
   std::optional<LinearObservation> Linearise(const BundleObservation& seen) const {
-    const Pose& T_VI = T_VI_[seen.frame];
     const Eigen::Vector3d& l = landmarks_[seen.landmark];
-    const Eigen::Matrix3d R_CV = T_CI_[seen.camera].R() * T_VI.R().transpose();
-    const Eigen::Vector3d p_C = T_CI_[seen.camera] * (T_VI.Inverse() * l);
-    const auto projected = rig_.camera(seen.camera).ProjectWithJacobian(p_C);
+    const Eigen::Isometry3d& T_CV = T_CV_[2 * seen.frame + seen.camera];
+    const auto projected = rig_.camera(seen.camera).ProjectWithJacobian(T_CV * l);
     if (!projected.has_value()) return std::nullopt;
     LinearObservation linear;
     linear.error = (seen.pixel - projected->pixel) / seen.sigma_px;
-    linear.by_landmark = projected->by_point * R_CV / seen.sigma_px;
-    linear.by_pose << -linear.by_landmark, linear.by_landmark * Skew(l - T_VI.p());
+    linear.by_landmark = projected->by_point * T_CV.linear() / seen.sigma_px;
+    linear.by_pose << -linear.by_landmark, linear.by_landmark * Skew(l - T_VI_[seen.frame].p());
     return linear;
   }
 
+  // Of each frame the left camera, then the right one; as matrices, since many points go through.
+  std::vector<Eigen::Isometry3d> CamerasAt(const std::vector<Pose>& poses) const {
+    std::vector<Eigen::Isometry3d> T_CV;
+    T_CV.reserve(2 * poses.size());
+    for (const Pose& T_VI : poses) {
+      for (const Pose& T_CI : T_CI_) {
+        const Pose camera = T_CI * T_VI.Inverse();
+        Eigen::Isometry3d& matrix = T_CV.emplace_back(camera.q());
+        matrix.translation() = camera.p();
+      }
+    }
+    return T_CV;
+  }
+
   double Cost(const std::vector<Pose>& poses, const std::vector<Eigen::Vector3d>& landmarks) const {
+    const auto T_CV = CamerasAt(poses);
     double cost = 0.0;
     for (const BundleObservation& seen : bundle_.observations) {
-      const Eigen::Vector3d p_C =
-          T_CI_[seen.camera] * (poses[seen.frame].Inverse() * landmarks[seen.landmark]);
-      const auto pixel = rig_.camera(seen.camera).Project(p_C);
+      const auto pixel =
+          rig_.camera(seen.camera)
+              .Project(T_CV[2 * seen.frame + seen.camera] * landmarks[seen.landmark]);
       const double chi2 =
           pixel.has_value() ? (seen.pixel - *pixel).squaredNorm() / (seen.sigma_px * seen.sigma_px)
                             : kBehind * kBehind;
@@ -97,7 +115,9 @@ class Adjustment {
   void Build() {
     information_ = Eigen::MatrixXd::Zero(Size(), Size());
     right_ = Eigen::VectorXd::Zero(Size());
+    T_CV_ = CamerasAt(T_VI_);
     chi2_ = 0.0;
+    weights_ = 0.0;
     used_ = 0;
     eliminated_.assign(landmarks_.size(), {});
     auto begin = bundle_.observations.begin();
@@ -108,6 +128,7 @@ class Adjustment {
       Eliminate(begin, end, eliminated_[begin->landmark]);
       begin = end;
     }
+    information_.triangularView<Eigen::StrictlyUpper>() = information_.transpose();
   }
 
   using Iterator = std::vector<BundleObservation>::const_iterator;
@@ -118,6 +139,7 @@ class Adjustment {
       if (!linear.has_value()) continue;
       const double weight = 1.0 / (1.0 + linear->error.squaredNorm() / (kBend * kBend));
       chi2_ += weight * linear->error.squaredNorm();
+      weights_ += weight;
       ++used_;
       own += weight * linear->by_landmark.transpose() * linear->by_landmark;
       landmark.right += weight * linear->by_landmark.transpose() * linear->error;
@@ -139,6 +161,7 @@ class Adjustment {
       const Eigen::Matrix<double, 6, 3> weighted = left * landmark.inverse;
       right_.segment<6>(row) -= weighted * landmark.right;
       for (const auto& [column, other] : landmark.with_poses) {
+        if (column > row) break;
         information_.block<6, 6>(row, column) -= weighted * other.transpose();
       }
     }
@@ -164,8 +187,12 @@ class Adjustment {
   AdjustedBundle Result() const {
     AdjustedBundle result{T_VI_, landmarks_, information_, 0.0};
     result.mean_chi2 = used_ > 0 ? chi2_ / used_ : 0.0;
-    const int freedom = 2 * used_ - Size() - 3 * static_cast<int>(landmarks_.size());
-    if (freedom > 0) result.information /= std::max(1.0, chi2_ / freedom);
+    const double equations = 2.0 * used_;
+    const double unknowns = Size() + 3.0 * static_cast<double>(landmarks_.size());
+    if (equations > unknowns) {
+      const double variance = chi2_ / (2.0 * weights_ * kGaussianShare) * equations;
+      result.information /= std::max(1.0, variance / (equations - unknowns));
+    }
     return result;
   }
 
@@ -177,7 +204,9 @@ class Adjustment {
   Eigen::MatrixXd information_;
   Eigen::VectorXd right_;
   std::vector<Eliminated> eliminated_;
+  std::vector<Eigen::Isometry3d> T_CV_;
   double chi2_ = 0.0;
+  double weights_ = 0.0;
   int used_ = 0;
 };
 

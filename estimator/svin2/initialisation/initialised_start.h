@@ -44,8 +44,7 @@ struct InitialisationReport {
 /// as large as the path: who believes the scale more than the rig multiplies the baseline by
 /// `scale`, else divides path and velocities by it.
 struct InitialisedStart {
-  std::vector<InitialisedFrame>
-      frames;  ///< The frames used, oldest first, the last one added last.
+  std::vector<InitialisedFrame> frames;  ///< Those used, the oldest first, the latest last.
   ImuBias bias;
   double scale = 1.0;  ///< What vision was multiplied by, s1 s2.
   InitialisationReport report;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -168,33 +169,56 @@ class Aligner {
     Vector9d error;
     error << delta.p - R_iV * way, -turn, delta.v - R_iV * change;
 
-    MatrixXd jacobian = MatrixXd::Zero(9, normal_.cols());
+    // Of the columns below, those that this interval touches: two poses, two velocities, the rest.
+    constexpr int kPoseI = 0, kPoseJ = 6, kSpeedI = 12, kSpeedJ = 15, kBias = 18, kScale = 24;
+    constexpr int kGravityAt = 25;
+    const int free = static_cast<int>(directions_.cols());
+    MatrixXd jacobian = MatrixXd::Zero(9, kGravityAt + free);
     const Matrix3d turned = LeftJacobianInverseSO3(turn) * R_iV;
-    if (i > 0) {
-      const Matrix3d arm = (state_.scale - 1.0) * R_iV * Skew(LeverArm(i));
-      jacobian.block<3, 3>(0, PoseAt(i)) = -state_.scale * R_iV;
-      jacobian.block<3, 3>(0, PoseAt(i) + 3) = R_iV * Skew(way) + arm;
-      jacobian.block<3, 3>(3, PoseAt(i) + 3) = -turned;
-      jacobian.block<3, 3>(6, PoseAt(i) + 3) = R_iV * Skew(change);
-    }
-    jacobian.block<3, 3>(0, PoseAt(j)) = state_.scale * R_iV;
-    jacobian.block<3, 3>(0, PoseAt(j) + 3) = (1.0 - state_.scale) * R_iV * Skew(LeverArm(j));
-    jacobian.block<3, 3>(3, PoseAt(j) + 3) = turned;
-    jacobian.block<3, 3>(0, SpeedAt(i)) = -T * R_iV;
-    jacobian.block<3, 3>(6, SpeedAt(i)) = -R_iV;
-    jacobian.block<3, 3>(6, SpeedAt(j)) = R_iV;
-    jacobian.block<9, 6>(0, BiasAt()) = -imu.bias_jacobian();
-    jacobian.block<3, 3>(3, BiasAt()) =
+    const Matrix3d arm_i = (1.0 - state_.scale) * R_iV * Skew(LeverArm(i));
+    const Matrix3d arm_j = (1.0 - state_.scale) * R_iV * Skew(LeverArm(j));
+    jacobian.block<3, 3>(0, kPoseI) = -state_.scale * R_iV;
+    jacobian.block<3, 3>(0, kPoseI + 3) = R_iV * Skew(way) - arm_i;
+    jacobian.block<3, 3>(3, kPoseI + 3) = -turned;
+    jacobian.block<3, 3>(6, kPoseI + 3) = R_iV * Skew(change);
+    jacobian.block<3, 3>(0, kPoseJ) = state_.scale * R_iV;
+    jacobian.block<3, 3>(0, kPoseJ + 3) = arm_j;
+    jacobian.block<3, 3>(3, kPoseJ + 3) = turned;
+    jacobian.block<3, 3>(0, kSpeedI) = -T * R_iV;
+    jacobian.block<3, 3>(6, kSpeedI) = -R_iV;
+    jacobian.block<3, 3>(6, kSpeedJ) = R_iV;
+    jacobian.block<9, 6>(0, kBias) = -imu.bias_jacobian();
+    jacobian.block<3, 3>(3, kBias) =
         -LeftJacobianInverseSO3(-turn) * imu.bias_jacobian().block<3, 3>(3, 0);
-    jacobian.block<3, 1>(0, ScaleAt()) =
+    jacobian.block<3, 1>(0, kScale) =
         R_iV * (state_.T_VI[j].p() + LeverArm(j) - state_.T_VI[i].p() - LeverArm(i));
-    jacobian.block(0, GravityAt(), 3, directions_.cols()) = -0.5 * T * T * R_iV * directions_;
-    jacobian.block(6, GravityAt(), 3, directions_.cols()) = -T * R_iV * directions_;
+    jacobian.block(0, kGravityAt, 3, free) = -0.5 * T * T * R_iV * directions_;
+    jacobian.block(6, kGravityAt, 3, free) = -T * R_iV * directions_;
+    // The first pose has no columns.
+    const int first = i > 0 ? kPoseI : kPoseJ;
+    AddEquations(i, jacobian, error,
+                 {Columns{first, PoseAt(i > 0 ? i : j), kSpeedI - first},
+                  Columns{kSpeedI, SpeedAt(i), kBias - kSpeedI},
+                  Columns{kBias, BiasAt(), kGravityAt + free - kBias}});
+  }
 
-    const MatrixXd white = whitening_[i] * jacobian;
-    const Vector9d white_error = whitening_[i] * error;
-    normal_.noalias() += white.transpose() * white;
-    right_.noalias() += white.transpose() * white_error;
+  // Which columns of an interval are which of all.
+  struct Columns {
+    int here, there, count;
+  };
+  void AddEquations(int interval, const MatrixXd& jacobian, const Vector9d& error,
+                    const std::array<Columns, 3>& columns) {
+    const MatrixXd white = whitening_[interval] * jacobian;
+    const Vector9d white_error = whitening_[interval] * error;
+    const MatrixXd squares = white.transpose() * white;
+    const VectorXd products = white.transpose() * white_error;
+    for (const Columns& row : columns) {
+      right_.segment(row.there, row.count) += products.segment(row.here, row.count);
+      for (const Columns& column : columns) {
+        normal_.block(row.there, column.there, row.count, column.count) +=
+            squares.block(row.here, column.here, row.count, column.count);
+      }
+    }
     chi2_ += white_error.squaredNorm();
   }
 
