@@ -190,6 +190,7 @@ void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
   window_->Start(state, config_.start, Track(pending, std::nullopt));
   UseDepths();
+  window_->Optimise();
   Publish();
 }
 
