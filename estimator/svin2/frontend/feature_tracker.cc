@@ -99,14 +99,14 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
   MatchStereo(now, false, tracks_);
   const auto T_WI = RemoveOutliers(context, t, tracks_);
   const int tracked = static_cast<int>(tracks_.size());
-  const bool is_keyframe = keyframes_.Decide(Report(t).points);
-  if (is_keyframe) AddCorners(context, T_WI);
+  const bool is_due = keyframes_.Decide(Report(t).points);
+  if (is_due) AddCorners(context, T_WI);
   before_ = now;
 
   frame = Report(t);
-  frame.is_keyframe = is_keyframe;
   frame.tracked = tracked;
-  if (is_keyframe) keyframes_.Keep(frame.points);
+  frame.is_keyframe = is_due && keyframes_.Keep(frame.points);
+  if (frame.is_keyframe && config_.matching != Matching::kPatches) memory_.Keep(tracks_);
   return frame;
 }
 
@@ -243,7 +243,6 @@ void FeatureTracker::AddCorners(const Context& context, const std::optional<Pose
     tracks_.push_back(std::move(track));
   }
   std::ranges::sort(tracks_, {}, &FeatureTrack::id);
-  if (config_.matching != Matching::kPatches) memory_.Keep(tracks_);
 }
 
 // Lost points that are among the new corners; these corners are taken out.

@@ -38,7 +38,7 @@ class FeatureTracker {
     Matching matching = Matching::kBoth;
     bool preprocess = true;
     Preprocessor::Config preprocessor;
-    CornerDetector::Config detector = {.max_corners = 300};
+    CornerDetector::Config detector;
     DescriptorExtractor::Config descriptor;
     DescriptorMatcher::Config descriptor_matcher;
     PatchTracker::Config patches;  ///< Of Lucas-Kanade, and of the first match in stereo.
@@ -48,9 +48,9 @@ class FeatureTracker {
     KeyframeRule::Config keyframes;
     int memory_keyframes = 3;  ///< The newest, whose lost points are looked for.
     /// Standard deviation of a pixel's coordinate where the anchor is recognised perfectly, and
-    /// how it grows with 1 - correlation.
-    double sigma_px = 0.15;
-    double sigma_per_unlikeness_px = 1.5;
+    /// how it grows with 1 - correlation. As measured, see docs/models.md.
+    double sigma_px = 0.12;
+    double sigma_per_unlikeness_px = 0.9;
   };
 
   /// Throws InputError for values that cannot be used.

@@ -19,7 +19,7 @@ class StereoMatcher {
     int search_radius_px = 4;             ///< Of the patch there, in its pixels.
     double min_search_correlation = 0.5;  ///< Of the best place on the curve.
     double max_epipolar_px = 1.5;         ///< Of what is accepted.
-    int patch_radius_px = 8;              ///< Of the alignment where the depth is known.
+    int patch_radius_px = 12;             ///< Of the alignment where the depth is known.
     double min_correlation = 0.8;         ///< Of that alignment.
     double max_align_px = 2.0;            ///< What is further off is tracked instead.
   };
