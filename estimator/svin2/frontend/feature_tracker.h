@@ -41,7 +41,8 @@ class FeatureTracker {
     CornerDetector::Config detector;
     DescriptorExtractor::Config descriptor;
     DescriptorMatcher::Config descriptor_matcher;
-    PatchTracker::Config patches;  ///< Of Lucas-Kanade, and of the first match in stereo.
+    /// Of Lucas-Kanade, and of the first match in stereo, which the rig's geometry checks.
+    PatchTracker::Config patches = {.min_correlation = 0.7};
     AnchorTracker::Config anchors;
     StereoMatcher::Config stereo;
     TrackGate::Config gate;
@@ -86,6 +87,8 @@ class FeatureTracker {
   std::vector<FeatureTrack> FollowDescriptors(
       const Context& context, const std::vector<TrackPredictor::Point>& points) const;
   void MatchStereo(const Pyramids& now, bool search, std::vector<FeatureTrack>& tracks) const;
+  bool AcceptRight(const Eigen::Vector2d& right, FeatureTrack& track) const;
+  bool FollowInRight(const cv::Mat& image, FeatureTrack& track) const;
   std::optional<Pose> RemoveOutliers(const Context& context, Time t,
                                      std::vector<FeatureTrack>& tracks) const;
   void AddCorners(const Context& context, const std::optional<Pose>& T_WI);

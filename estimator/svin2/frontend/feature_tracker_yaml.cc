@@ -81,9 +81,6 @@ StereoMatcher::Config ReadStereo(YamlReader& yaml, StereoMatcher::Config c) {
   c.search_radius_px = IntegerOr(yaml, "search_radius_px", {1, 50}, c.search_radius_px);
   c.min_search_correlation = yaml.Real("min_search_correlation", kShare, c.min_search_correlation);
   c.max_epipolar_px = yaml.Real("max_epipolar_px", kPixels, c.max_epipolar_px);
-  c.patch_radius_px = IntegerOr(yaml, "patch_radius_px", {2, 50}, c.patch_radius_px);
-  c.min_correlation = yaml.Real("min_correlation", kShare, c.min_correlation);
-  c.max_align_px = yaml.Real("max_align_px", kPixels, c.max_align_px);
   return c;
 }
 

@@ -27,8 +27,7 @@ namespace drydock::svin2 {
 ///     anchors:
 ///       {patch_radius_px, affine, min_correlation, max_align_px, max_scale, max_renewals}
 ///     stereo:
-///       {min_depth_m, search_level, search_radius_px, min_search_correlation, max_epipolar_px,
-///        patch_radius_px, min_correlation, max_align_px}
+///       {min_depth_m, search_level, search_radius_px, min_search_correlation, max_epipolar_px}
 ///     gate:
 ///       {max_error_px, min_inliers, max_iterations, confidence, refinements, max_epipolar_px,
 ///        min_baseline_m}
