@@ -47,8 +47,9 @@ bool KeyframeRule::Decide(const std::vector<TrackedPoint>& points) {
   ++frames_since_;
   // A corner that is gone in the next frame was noise, and is not missed.
   if (frames_since_ == 1) Refer(points);
-  if (IsTooLittle(points)) return true;
+  if (points.empty()) return true;
   if (frames_since_ < config_.min_gap) return false;
+  if (IsTooLittle(points)) return true;
   if (frames_since_ >= config_.max_gap) return true;
   const auto most = static_cast<double>(keyframe_[0].ids.size());
   if (static_cast<double>(points.size()) < config_.min_tracked_share * most) return true;

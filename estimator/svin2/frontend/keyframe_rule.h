@@ -21,7 +21,7 @@ class KeyframeRule {
     /// Least points, as a share of the last keyframe's; what is lost must be replaced some day.
     double min_tracked_share = 0.5;
     int min_points = 10;  ///< With fewer tracked, a keyframe is due; a frame with fewer is none.
-    int min_gap = 3;      ///< Frames from one keyframe to the next, unless points are that few.
+    int min_gap = 3;      ///< Frames from one keyframe to the next, unless no point is left.
     int max_gap = 100;    ///< A frame this long after the last keyframe is one in any case.
   };
 

@@ -97,7 +97,8 @@ TEST(KeyframeRule, DarknessIsNoKeyframeButTheFirstLightIs) {
   EXPECT_FALSE(rule.Keep({}));
   EXPECT_TRUE(rule.Decide({}));
   EXPECT_TRUE(rule.Keep(Grid(11, 11)));
-  EXPECT_TRUE(rule.Decide(Grid(1, 9)));  // Whatever the gap.
+  EXPECT_TRUE(rule.Decide({}));  // Whatever the gap.
+  EXPECT_FALSE(rule.Decide(Grid(1, 9)));
   EXPECT_FALSE(rule.Keep(Grid(1, 9)));
   EXPECT_TRUE(rule.Keep(Grid(1, 10)));
 }
