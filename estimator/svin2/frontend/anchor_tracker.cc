@@ -21,13 +21,22 @@ bool AnchorTracker::Anchor(const cv::Mat& image, FeatureTrack& track) const {
   return true;
 }
 
-bool AnchorTracker::Align(const cv::Mat& now, const Eigen::Vector2d& start, double max_align_px,
-                          FeatureTrack& track) const {
-  const auto found = track.anchor->Align(now, start, track.warp, config_.affine);
+std::optional<PatchAlignment> AnchorTracker::Align(const cv::Mat& image,
+                                                   const Eigen::Vector2d& start,
+                                                   double max_align_px,
+                                                   const FeatureTrack& track) const {
+  const auto found = track.anchor->Align(image, start, track.warp, config_.affine);
   if (!found.has_value() || found->correlation < config_.min_correlation ||
       (found->pixel - start).norm() > max_align_px) {
-    return false;
+    return std::nullopt;
   }
+  return found;
+}
+
+bool AnchorTracker::Update(const cv::Mat& now, const Eigen::Vector2d& start, double max_align_px,
+                           FeatureTrack& track) const {
+  const auto found = Align(now, start, max_align_px, track);
+  if (!found.has_value()) return false;
   const double scale = std::sqrt(found->warp.determinant());
   if (scale > config_.max_scale || scale < 1.0 / config_.max_scale) return false;
   track.left = found->pixel;
@@ -36,17 +45,24 @@ bool AnchorTracker::Align(const cv::Mat& now, const Eigen::Vector2d& start, doub
   return true;
 }
 
+std::optional<Eigen::Vector2d> AnchorTracker::FindInRight(const cv::Mat& right,
+                                                          const Eigen::Vector2d& start,
+                                                          const FeatureTrack& track) const {
+  const auto found = Align(right, start, config_.max_align_px, track);
+  return found.has_value() ? std::optional(found->pixel) : std::nullopt;
+}
+
 bool AnchorTracker::Follow(const cv::Mat& before, const cv::Mat& now, const Eigen::Vector2d& start,
                            FeatureTrack& track) const {
-  if (Align(now, start, config_.max_align_px, track)) return true;
+  if (Update(now, start, config_.max_align_px, track)) return true;
   if (track.renewals >= config_.max_renewals) return false;
   ++track.renewals;
-  return Anchor(before, track) && Align(now, start, config_.max_align_px, track);
+  return Anchor(before, track) && Update(now, start, config_.max_align_px, track);
 }
 
 bool AnchorTracker::Regain(const cv::Mat& now, const Eigen::Vector2d& start,
                            FeatureTrack& track) const {
-  return Align(now, start, 2.0 * config_.max_align_px, track);
+  return Update(now, start, 2.0 * config_.max_align_px, track);
 }
 
 }  // namespace drydock::svin2

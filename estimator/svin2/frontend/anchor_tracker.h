@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include <opencv2/core/mat.hpp>
 
 #include "estimator/svin2/frontend/feature_track.h"
+#include "estimator/svin2/frontend/patch_template.h"
 
 namespace drydock::svin2 {
 
@@ -33,12 +35,19 @@ class AnchorTracker {
   bool Follow(const cv::Mat& before, const cv::Mat& now, const Eigen::Vector2d& start,
               FeatureTrack& track) const;
 
+  /// Where the right image of the frame at hand shows the track, near `start`. Looked for is the
+  /// anchor again: both pixels then mean the same point of the scene.
+  std::optional<Eigen::Vector2d> FindInRight(const cv::Mat& right, const Eigen::Vector2d& start,
+                                             const FeatureTrack& track) const;
+
   /// Finds the anchor of a track that was not seen for a while.
   bool Regain(const cv::Mat& now, const Eigen::Vector2d& start, FeatureTrack& track) const;
 
  private:
-  bool Align(const cv::Mat& now, const Eigen::Vector2d& start, double max_align_px,
-             FeatureTrack& track) const;
+  std::optional<PatchAlignment> Align(const cv::Mat& image, const Eigen::Vector2d& start,
+                                      double max_align_px, const FeatureTrack& track) const;
+  bool Update(const cv::Mat& now, const Eigen::Vector2d& start, double max_align_px,
+              FeatureTrack& track) const;
 
   Config config_;
 };

@@ -18,8 +18,8 @@ struct Corner {
 class CornerDetector {
  public:
   struct Config {
-    int max_corners = 400;         ///< In the whole image, corners already there included.
-    double radius_px = 20.0;       ///< Of occupancy about each corner.
+    int max_corners = 300;         ///< In the whole image, corners already there included.
+    double radius_px = 16.0;       ///< Of occupancy about each corner.
     int border_px = 12;            ///< No corners nearer than this to the image's edge.
     double window_sigma_px = 1.5;  ///< Of the structure tensor's Gaussian weights.
     /// Least score, for grey values in [0, 1] and slopes per pixel, of a pre-processed image. In

@@ -12,21 +12,21 @@
 namespace drydock::svin2 {
 
 struct FeatureTrack {
-  LandmarkId id = 0;
-  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< In the latest frame.
-  std::optional<Eigen::Vector2d> right;            ///< In the latest frame.
-  Eigen::Vector2d left_before = left;              ///< In the frame before that.
-  std::optional<double> inverse_depth;             ///< By stereo [1/m], carried along by motion.
-  int age = 0;                                     ///< Frames since it was first seen.
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();      ///< In the latest frame.
+  Eigen::Vector2d left_before = left;                  ///< In the frame before that.
+  std::optional<Eigen::Vector2d> right;                ///< In the latest frame.
+  Eigen::Matrix2d warp = Eigen::Matrix2d::Identity();  ///< Of the anchor to the latest frame.
 
+  LandmarkId id = 0;
+  /// Of the anchor with the latest frame; of new points, a usual one.
+  double correlation = 0.9;
+  std::optional<double> inverse_depth;  ///< By stereo [1/m], carried along by motion.
   /// The patch that is looked for in every frame: that of the first frame, as long as it can be
   /// recognised, so that errors do not add up from frame to frame.
   std::shared_ptr<const PatchTemplate> anchor;
-  Eigen::Matrix2d warp = Eigen::Matrix2d::Identity();  ///< Of the anchor to the latest frame.
-  double correlation = 1.0;                            ///< Of the anchor with the latest frame.
-  int renewals = 0;                                    ///< How often the anchor was replaced.
-
   std::optional<Descriptor> descriptor;  ///< In the latest keyframe.
+  int age = 0;                           ///< Frames since it was first seen.
+  int renewals = 0;                      ///< How often the anchor was replaced.
 };
 
 }  // namespace drydock::svin2

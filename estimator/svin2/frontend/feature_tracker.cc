@@ -99,14 +99,14 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
   MatchStereo(now, false, tracks_);
   const auto T_WI = RemoveOutliers(context, t, tracks_);
   const int tracked = static_cast<int>(tracks_.size());
-  const bool is_keyframe = keyframes_.Decide(Report(t).points);
-  if (is_keyframe) AddCorners(context, T_WI);
+  const bool is_due = keyframes_.Decide(Report(t).points);
+  if (is_due) AddCorners(context, T_WI);
   before_ = now;
 
   frame = Report(t);
-  frame.is_keyframe = is_keyframe;
   frame.tracked = tracked;
-  if (is_keyframe) keyframes_.Keep(frame.points);
+  frame.is_keyframe = is_due && keyframes_.Keep(frame.points);
+  if (frame.is_keyframe && config_.matching != Matching::kPatches) memory_.Keep(tracks_);
   return frame;
 }
 
@@ -166,6 +166,23 @@ std::vector<FeatureTrack> FeatureTracker::FollowDescriptors(
   return followed;
 }
 
+bool FeatureTracker::AcceptRight(const Eigen::Vector2d& right, FeatureTrack& track) const {
+  const auto inverse_depth = geometry_.InverseDepth(track.left, right);
+  if (!inverse_depth.has_value() || !stereo_.IsOnCurve(track.left, right)) return false;
+  track.right = right;
+  track.inverse_depth = std::max(*inverse_depth, 0.0);
+  return true;
+}
+
+bool FeatureTracker::FollowInRight(const cv::Mat& image, FeatureTrack& track) const {
+  if (!track.inverse_depth.has_value()) return false;
+  const auto start = geometry_.Transfer(track.left, *track.inverse_depth);
+  const auto found = start.has_value() ? anchors_.FindInRight(image, *start, track) : std::nullopt;
+  return found.has_value() && AcceptRight(*found, track);
+}
+
+// Where a depth is known the anchor is looked for at once; else, or if it is not there, the patch
+// of the left image is tracked into the right one. Without a depth only if `search`.
 void FeatureTracker::MatchStereo(const Pyramids& now, bool search,
                                  std::vector<FeatureTrack>& tracks) const {
   std::vector<Eigen::Vector2d> pixels;
@@ -174,6 +191,7 @@ void FeatureTracker::MatchStereo(const Pyramids& now, bool search,
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     tracks[i].right.reset();
     if (!search && !tracks[i].inverse_depth.has_value()) continue;
+    if (FollowInRight(now.right[0], tracks[i])) continue;
     pixels.push_back(tracks[i].left);
     inverse_depths.push_back(tracks[i].inverse_depth);
     places.push_back(i);
@@ -182,10 +200,8 @@ void FeatureTracker::MatchStereo(const Pyramids& now, bool search,
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].IsTracked()) continue;
     FeatureTrack& track = tracks[places[i]];
-    const auto inverse_depth = geometry_.InverseDepth(track.left, matches[i].pixel);
-    if (!inverse_depth.has_value()) continue;
-    track.right = matches[i].pixel;
-    track.inverse_depth = std::max(*inverse_depth, 0.0);
+    const auto finer = anchors_.FindInRight(now.right[0], matches[i].pixel, track);
+    if (!finer.has_value() || !AcceptRight(*finer, track)) AcceptRight(matches[i].pixel, track);
   }
 }
 
@@ -205,6 +221,7 @@ std::optional<Pose> FeatureTracker::RemoveOutliers(const Context& context, Time 
 
 void FeatureTracker::Describe(const Context& context, std::vector<FeatureTrack>& tracks) const {
   std::vector<Eigen::Vector2d> pixels;
+  pixels.reserve(tracks.size());
   for (const FeatureTrack& track : tracks) pixels.push_back(track.left);
   const auto descriptors =
       extractor_.Describe(context.now.left[0], pixels, geometry_.camera(0), context.gravity_C);
@@ -214,6 +231,7 @@ void FeatureTracker::Describe(const Context& context, std::vector<FeatureTrack>&
 // Corners away from what is tracked; without ids yet.
 std::vector<FeatureTrack> FeatureTracker::NewTracks(const cv::Mat& image) const {
   std::vector<Eigen::Vector2d> occupied;
+  occupied.reserve(tracks_.size());
   for (const FeatureTrack& track : tracks_) occupied.push_back(track.left);
   std::vector<FeatureTrack> fresh;
   for (const Corner& corner : detector_.Detect(image, occupied)) {
@@ -243,7 +261,6 @@ void FeatureTracker::AddCorners(const Context& context, const std::optional<Pose
     tracks_.push_back(std::move(track));
   }
   std::ranges::sort(tracks_, {}, &FeatureTrack::id);
-  if (config_.matching != Matching::kPatches) memory_.Keep(tracks_);
 }
 
 // Lost points that are among the new corners; these corners are taken out.

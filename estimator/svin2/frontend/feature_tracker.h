@@ -38,19 +38,20 @@ class FeatureTracker {
     Matching matching = Matching::kBoth;
     bool preprocess = true;
     Preprocessor::Config preprocessor;
-    CornerDetector::Config detector = {.max_corners = 300};
+    CornerDetector::Config detector;
     DescriptorExtractor::Config descriptor;
     DescriptorMatcher::Config descriptor_matcher;
-    PatchTracker::Config patches;  ///< Of Lucas-Kanade, and of the first match in stereo.
+    /// Of Lucas-Kanade, and of the first match in stereo, which the rig's geometry checks.
+    PatchTracker::Config patches = {.min_correlation = 0.7};
     AnchorTracker::Config anchors;
     StereoMatcher::Config stereo;
     TrackGate::Config gate;
     KeyframeRule::Config keyframes;
     int memory_keyframes = 3;  ///< The newest, whose lost points are looked for.
     /// Standard deviation of a pixel's coordinate where the anchor is recognised perfectly, and
-    /// how it grows with 1 - correlation.
-    double sigma_px = 0.15;
-    double sigma_per_unlikeness_px = 1.5;
+    /// how it grows with 1 - correlation. As measured, see docs/models.md.
+    double sigma_px = 0.12;
+    double sigma_per_unlikeness_px = 0.9;
   };
 
   /// Throws InputError for values that cannot be used.
@@ -86,6 +87,8 @@ class FeatureTracker {
   std::vector<FeatureTrack> FollowDescriptors(
       const Context& context, const std::vector<TrackPredictor::Point>& points) const;
   void MatchStereo(const Pyramids& now, bool search, std::vector<FeatureTrack>& tracks) const;
+  bool AcceptRight(const Eigen::Vector2d& right, FeatureTrack& track) const;
+  bool FollowInRight(const cv::Mat& image, FeatureTrack& track) const;
   std::optional<Pose> RemoveOutliers(const Context& context, Time t,
                                      std::vector<FeatureTrack>& tracks) const;
   void AddCorners(const Context& context, const std::optional<Pose>& T_WI);

@@ -16,6 +16,8 @@ KeyframeRule::KeyframeRule(const Config& config) : config_(config) {
                "max_overlap is {}, max_match_ratio {} and min_tracked_share {}; all must lie in "
                "[0, 1]",
                config.max_overlap, config.max_match_ratio, config.min_tracked_share);
+  RequireInput(config.min_points >= 0, "min_points is {}; it must not be negative",
+               config.min_points);
   RequireInput(config.min_gap >= 1 && config.max_gap >= config.min_gap,
                "min_gap is {} and max_gap {}; they must be at least 1 and rise", config.min_gap,
                config.max_gap);
@@ -45,7 +47,9 @@ bool KeyframeRule::Decide(const std::vector<TrackedPoint>& points) {
   ++frames_since_;
   // A corner that is gone in the next frame was noise, and is not missed.
   if (frames_since_ == 1) Refer(points);
+  if (points.empty()) return true;
   if (frames_since_ < config_.min_gap) return false;
+  if (IsTooLittle(points)) return true;
   if (frames_since_ >= config_.max_gap) return true;
   const auto most = static_cast<double>(keyframe_[0].ids.size());
   if (static_cast<double>(points.size()) < config_.min_tracked_share * most) return true;
@@ -61,14 +65,20 @@ bool KeyframeRule::Decide(const std::vector<TrackedPoint>& points) {
   return overlap <= config_.max_overlap || ratio <= config_.max_match_ratio;
 }
 
+bool KeyframeRule::IsTooLittle(const std::vector<TrackedPoint>& points) const {
+  return points.size() < static_cast<std::size_t>(config_.min_points);
+}
+
 void KeyframeRule::Refer(const std::vector<TrackedPoint>& points) {
   for (int camera = 0; camera < 2; ++camera) keyframe_[camera] = See(points, camera, nullptr);
 }
 
-void KeyframeRule::Keep(const std::vector<TrackedPoint>& points) {
+bool KeyframeRule::Keep(const std::vector<TrackedPoint>& points) {
+  if (IsTooLittle(points)) return false;
   Refer(points);
   has_keyframe_ = true;
   frames_since_ = 0;
+  return true;
 }
 
 void KeyframeRule::Restart() {

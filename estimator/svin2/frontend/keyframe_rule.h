@@ -20,17 +20,19 @@ class KeyframeRule {
     double max_match_ratio = 0.2;  ///< Of the numbers of points.
     /// Least points, as a share of the last keyframe's; what is lost must be replaced some day.
     double min_tracked_share = 0.5;
-    int min_gap = 3;    ///< Frames from one keyframe to the next, unless there was no other.
-    int max_gap = 100;  ///< A frame this long after the last keyframe is one in any case.
+    int min_points = 10;  ///< With fewer tracked, a keyframe is due; a frame with fewer is none.
+    int min_gap = 3;      ///< Frames from one keyframe to the next, unless no point is left.
+    int max_gap = 100;    ///< A frame this long after the last keyframe is one in any case.
   };
 
   /// Throws InputError for values that cannot be used.
   explicit KeyframeRule(const Config& config);
 
-  /// Whether a frame of these points, all of them tracked, is to be a keyframe; counts the frame.
+  /// Whether a frame of these points, all of them tracked, should be a keyframe; counts the frame.
   bool Decide(const std::vector<TrackedPoint>& points);
-  /// What the keyframe shows, new corners included.
-  void Keep(const std::vector<TrackedPoint>& points);
+  /// What the keyframe shows, new corners included. False if it is too little to be one: of
+  /// darkness no keyframe is made.
+  bool Keep(const std::vector<TrackedPoint>& points);
   /// As if there never was a keyframe.
   void Restart();
 
@@ -42,6 +44,7 @@ class KeyframeRule {
   static Seen See(const std::vector<TrackedPoint>& points, int camera,
                   const std::set<LandmarkId>* known);
 
+  bool IsTooLittle(const std::vector<TrackedPoint>& points) const;
   void Refer(const std::vector<TrackedPoint>& points);
 
   Config config_;

@@ -34,7 +34,7 @@ class PatchTracker {
     int window_px = 21;  ///< Of Lucas-Kanade, odd.
     int levels = 4;      ///< Of the pyramid, each half as large as the one before.
     double max_forward_backward_px = 0.5;  ///< 0: not tracked back.
-    int patch_radius_px = 8;  ///< Of the final alignment, 2 r + 1 squared; 0: none of it.
+    int patch_radius_px = 12;  ///< Of the final alignment, 2 r + 1 squared; 0: none of it.
     /// The patch may turn, stretch and shear; else only shift. From frame to frame there is little
     /// of that, and the four numbers cost accuracy: for patches that were first seen long ago.
     bool affine = false;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "estimator/svin2/frontend/patch_template.h"
 #include "sensors_models/base/check.h"
 
 namespace drydock::svin2 {
@@ -83,17 +82,6 @@ std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const 
   return best;
 }
 
-PatchTrack StereoMatcher::Align(const cv::Mat& left, const cv::Mat& right,
-                                const Eigen::Vector2d& pixel, const Eigen::Vector2d& start) const {
-  const auto patch = PatchTemplate::Make(left, pixel, config_.patch_radius_px);
-  if (!patch.has_value()) return {};
-  const auto aligned = patch->Align(right, start, Eigen::Matrix2d::Identity(), false);
-  if (!aligned.has_value() || (aligned->pixel - start).norm() > config_.max_align_px) return {};
-  const bool alike = aligned->correlation >= config_.min_correlation;
-  return {aligned->pixel, aligned->correlation,
-          alike ? TrackStatus::kTracked : TrackStatus::kUnlike};
-}
-
 bool StereoMatcher::IsOnCurve(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const {
   const auto distance = geometry_.EpipolarDistance(left, right);
   return distance.has_value() && *distance <= config_.max_epipolar_px;
@@ -116,10 +104,6 @@ std::vector<PatchTrack> StereoMatcher::Match(
                            ? geometry_.Transfer(pixels[i], *inverse_depths[i])
                            : Search(left[level], right[level], scale, pixels[i]);
     if (!start.has_value()) continue;
-    if (inverse_depths[i].has_value()) {
-      tracks[i] = Align(left[0], right[0], pixels[i], *start);
-      if (tracks[i].IsTracked() && IsOnCurve(pixels[i], tracks[i].pixel)) continue;
-    }
     sought.push_back(pixels[i]);
     predicted.push_back(*start);
     places.push_back(i);

@@ -9,8 +9,8 @@
 
 namespace drydock::svin2 {
 
-/// Searches along the epipolar curve where nothing is known of the depth, and tracks the patch from
-/// there; where the depth is known, aligns it at once. Keeps what lies on the curve.
+/// Searches along the epipolar curve where nothing is known of the depth, then tracks the patch
+/// from there, and keeps what lies on the curve.
 class StereoMatcher {
  public:
   struct Config {
@@ -19,9 +19,6 @@ class StereoMatcher {
     int search_radius_px = 4;             ///< Of the patch there, in its pixels.
     double min_search_correlation = 0.5;  ///< Of the best place on the curve.
     double max_epipolar_px = 1.5;         ///< Of what is accepted.
-    int patch_radius_px = 8;              ///< Of the alignment where the depth is known.
-    double min_correlation = 0.8;         ///< Of that alignment.
-    double max_align_px = 2.0;            ///< What is further off is tracked instead.
   };
 
   /// Throws InputError for values that cannot be used.
@@ -34,10 +31,10 @@ class StereoMatcher {
                                 const std::vector<Eigen::Vector2d>& pixels,
                                 const std::vector<std::optional<double>>& inverse_depths) const;
 
- private:
-  PatchTrack Align(const cv::Mat& left, const cv::Mat& right, const Eigen::Vector2d& pixel,
-                   const Eigen::Vector2d& start) const;
+  /// Whether `right` lies where the rig lets the right camera see what the left sees at `left`.
   bool IsOnCurve(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const;
+
+ private:
   std::optional<Eigen::Vector2d> Search(const cv::Mat& left, const cv::Mat& right, double scale,
                                         const Eigen::Vector2d& pixel) const;
 

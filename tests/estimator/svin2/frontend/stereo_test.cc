@@ -7,34 +7,18 @@
 #include "estimator/svin2/frontend/stereo_geometry.h"
 #include "estimator/svin2/frontend/stereo_matcher.h"
 #include "sensors_models/base/check.h"
+#include "tests/estimator/svin2/frontend/synthetic_dive.h"
 #include "tests/estimator/svin2/frontend/synthetic_images.h"
 
 namespace drydock::svin2 {
 namespace {
 
 using testing::Draw;
+using testing::HalfRig;
 using testing::Texture;
 
-// Half the v3 rig: distorted lenses that are not quite parallel, 0.14 m apart.
-StereoSheet Sheet() {
-  StereoSheet sheet;
-  for (int i = 0; i < 2; ++i) {
-    sheet.cameras[i] = {.width = 400,
-                        .height = 300,
-                        .fx = 288.0 + i,
-                        .fy = 287.0,
-                        .cx = 199.0 + i,
-                        .cy = 144.5,
-                        .distortion = {-0.16, 0.10, 1e-3, -5e-4}};
-  }
-  const Eigen::Quaterniond looking(0.5, -0.5, 0.5, -0.5);
-  sheet.T_IC[0] = Pose(looking, {0.04, 0.08, -0.005});
-  sheet.T_IC[1] = Pose(ExpSO3({0.01, -0.005, 0.02}) * looking, {0.039, -0.06, -0.007});
-  return sheet;
-}
-
 TEST(StereoGeometry, PointsLieOnTheirEpipolarLines) {
-  const StereoGeometry geometry(Sheet());
+  const StereoGeometry geometry(HalfRig());
   for (const Eigen::Vector3d& p_I :
        {Eigen::Vector3d(2.0, 0.3, 0.2), Eigen::Vector3d(1.0, -0.4, 0.3),
         Eigen::Vector3d(8.0, 3.0, -2.0)}) {
@@ -52,7 +36,7 @@ TEST(StereoGeometry, PointsLieOnTheirEpipolarLines) {
 }
 
 TEST(StereoGeometry, HasNoLineThroughTheOtherCamera) {
-  const StereoSheet sheet = Sheet();
+  const StereoSheet sheet = HalfRig();
   const CameraModel camera(sheet.cameras[0]);
   // Moved along the axis: the principal point sees the other camera.
   const Pose ahead(Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.5});
@@ -90,10 +74,19 @@ class Wall {
   double distance_;
 };
 
+TEST(StereoGeometry, InverseDepthUndoesTransfer) {
+  const StereoGeometry geometry(HalfRig());
+  const Eigen::Vector2d left(230.0, 120.0);
+  for (const double inverse_depth : {0.0, 0.1, 1.0, 2.5}) {
+    const auto right = geometry.Transfer(left, inverse_depth).value();
+    EXPECT_NEAR(geometry.InverseDepth(left, right).value(), inverse_depth, 1e-6);
+  }
+}
+
 class StereoMatches : public ::testing::TestWithParam<double> {};
 
 TEST_P(StereoMatches, FindsTheOtherPixelWithoutKnowingTheDepth) {
-  const StereoGeometry geometry(Sheet());
+  const StereoGeometry geometry(HalfRig());
   const Wall wall(GetParam());
   // At 0.7 m the two views differ by more than a shift.
   const PatchTracker tracker({.affine = true});
@@ -123,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(Distances, StereoMatches, ::testing::Values(0.7, 2.0, 2
 
 // The right camera has been knocked: what it sees no longer lies where the calibration says.
 TEST(StereoMatcher, RejectsWhatLiesOffTheLine) {
-  const StereoGeometry geometry(Sheet());
-  StereoSheet knocked_sheet = Sheet();
+  const StereoGeometry geometry(HalfRig());
+  StereoSheet knocked_sheet = HalfRig();
   knocked_sheet.T_IC[1] = Pose(ExpSO3({0.0, 0.015, 0.0}) * knocked_sheet.T_IC[1].q(),
                                knocked_sheet.T_IC[1].p());  // Pitched: 4 px up or down.
   const StereoGeometry knocked(knocked_sheet);
@@ -139,7 +132,7 @@ TEST(StereoMatcher, RejectsWhatLiesOffTheLine) {
 }
 
 TEST(StereoMatcher, RefusesBadConfigurations) {
-  EXPECT_THROW(StereoMatcher({.min_depth_m = 0.0}, StereoGeometry(Sheet()), PatchTracker({})),
+  EXPECT_THROW(StereoMatcher({.min_depth_m = 0.0}, StereoGeometry(HalfRig()), PatchTracker({})),
                InputError);
 }
 
