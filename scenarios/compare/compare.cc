@@ -68,6 +68,7 @@ class Crew {
   /// Waits for what was begun before, and begins `work` on each lane.
   void Begin(const std::function<void(Lane&)>& work) {
     Wait();
+    begun_.reserve(lanes_.size());
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       Lane& lane = *lanes_[i];
       begun_.push_back(workers_[i % workers_.size()]->Submit([work, &lane] { work(lane); }));
