@@ -23,6 +23,7 @@ install(EXPORT DrydockTargets NAMESPACE drydock:: DESTINATION ${DRYDOCK_INSTALL_
 install(TARGETS drydock RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 file(GLOB scenario_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenarios/*.yaml)
 install(FILES ${scenario_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/scenarios)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios/suites DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/scenarios)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/sensors_models/measurement/rigs
   DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/sensors_models/measurement)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -140,6 +140,7 @@ class Player {
     info.commit = Commit();
     info.config_hash = ConfigHash();
     const Trajectory truth = dataset::ToTrajectory(truth_);
+    info.known = KnownMetrics(truth, results);
     result_.scorecard = score::Score(info, truth, results.odometry, results.corrected, {});
     WriteScore(folder, fmt::format("{}: {}", info.scenario, info.estimator), truth,
                results.corrected, *result_.scorecard);

@@ -9,7 +9,7 @@ void EstimatorSession::Add(const Measurement& measurement) {
     const Stopwatch watch(seconds_);
     estimator_->Add(measurement);
   }
-  log_.Look(measurement.t_arrival, estimator_->Latest());
+  Look(measurement.t_arrival);
   Listen();
 }
 
@@ -19,8 +19,18 @@ Results EstimatorSession::Finish() {
     estimator_->Finish();
   }
   Listen();
-  return {estimator_->Odometry(), estimator_->Corrected(), estimator_->Loops(), log_.Take(),
-          estimator_->Timings()};
+  return {estimator_->Odometry(), estimator_->Corrected(), estimator_->Loops(),  log_.Take(),
+          estimator_->Timings(),  std::move(beliefs_),     starts_.FalseStarts()};
+}
+
+void EstimatorSession::Look(Time t) {
+  const std::optional<NavEstimate> estimate = estimator_->Latest();
+  log_.Look(t, estimate);
+  starts_.Look(t, estimate);
+  if (!estimate || !estimate->pose_covariance) return;
+  const NavState& state = estimate->state;
+  if (!beliefs_.empty() && state.t <= beliefs_.back().t) return;
+  beliefs_.push_back({state.t, state.T_WI, *estimate->pose_covariance, estimate->map_id});
 }
 
 void EstimatorSession::Listen() {

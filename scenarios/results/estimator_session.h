@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "estimator/interface/estimator.h"
 #include "scenarios/results/event_log.h"
 #include "scenarios/results/result_files.h"
+#include "scenarios/results/start_watch.h"
 
 namespace drydock {
 
@@ -25,10 +28,14 @@ class EstimatorSession {
   double seconds() const { return seconds_; }
 
  private:
+  /// Looks at what the estimator says at `t`.
+  void Look(Time t);
   void Listen();
 
   std::unique_ptr<Estimator> estimator_;
   EventLog log_;
+  StartWatch starts_;
+  std::vector<score::Belief> beliefs_;
   double seconds_ = 0.0;
 };
 

@@ -37,6 +37,16 @@ Trajectory Aligned(Trajectory trajectory, const score::Scorecard& card) {
 
 }  // namespace
 
+score::Metrics KnownMetrics(const Trajectory& truth, const Results& results) {
+  score::Metrics metrics;
+  if (const auto anees = score::ComputeAnees(truth, results.beliefs)) {
+    metrics.anees_position = anees->position;
+    metrics.anees_orientation = anees->orientation;
+  }
+  if (results.false_starts) metrics.false_starts = *results.false_starts;
+  return metrics;
+}
+
 void WriteResults(const std::filesystem::path& folder, const Results& results) {
   dataset::WriteTum(folder / "odometry.tum", results.odometry);
   dataset::WriteTum(folder / "trajectory.tum", results.corrected);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "estimator/interface/estimator.h"
+#include "scenarios/scoring/consistency.h"
 #include "scenarios/scoring/scorecard.h"
 
 namespace drydock {
@@ -18,7 +20,12 @@ struct Results {
   std::vector<LoopClosure> loops;
   std::vector<std::string> events;
   EstimatorTimings stages;
+  std::vector<score::Belief> beliefs;  ///< Published poses that came with a covariance.
+  std::optional<int> false_starts;     ///< Nothing if the estimator never started.
 };
+
+/// The metrics that need more than trajectories.
+score::Metrics KnownMetrics(const Trajectory& truth, const Results& results);
 
 /// Writes odometry.tum, trajectory.tum, loops.csv and events.log into `folder`.
 void WriteResults(const std::filesystem::path& folder, const Results& results);

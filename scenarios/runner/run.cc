@@ -8,8 +8,8 @@
 #include "scenarios/runner/dive.h"
 #include "scenarios/runner/dive_recorder.h"
 #include "scenarios/runner/run_files.h"
-#include "scenarios/version/version.h"
-#include "sensors_models/base/check.h"
+#include "scenarios/runner/score_dive.h"
+#include "scenarios/runner/start_estimator.h"
 #include "sensors_models/base/files.h"
 
 namespace drydock {
@@ -49,40 +49,6 @@ class FrameSampler {
   std::vector<report::SheetFrame> frames_;
 };
 
-score::RunInfo DescribeRun(const Scenario& scenario, const Dive& dive) {
-  score::RunInfo info;
-  info.scenario = scenario.name;
-  info.seed = scenario.seed;
-  info.estimator = scenario.estimator.name;
-  info.renderer = dive.RendererName();
-  info.commit = Commit();
-  info.config_hash = ConfigHash(scenario);
-  return info;
-}
-
-/// Where the scenario says, or ought to, whether the estimator knows its start.
-std::string PlaceOfStart(const YamlNode& scenario) {
-  const YamlNode* estimator = scenario.Find("estimator");
-  if (estimator == nullptr) return scenario.place.ToString();
-  const YamlNode* start = estimator->Find("start_from_truth");
-  return (start == nullptr ? estimator : start)->place.ToString();
-}
-
-std::unique_ptr<Estimator> StartEstimator(const Scenario& scenario, const Dive& dive) {
-  std::unique_ptr<Estimator> estimator = MakeEstimator(scenario.estimator);
-  if (scenario.estimator.start_from_truth) {
-    estimator->Start(dive.InitialState());
-    return estimator;
-  }
-  try {
-    estimator->Start(std::nullopt);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: estimator.start_from_truth is false: {}",
-                                 PlaceOfStart(scenario.resolved), error.what()));
-  }
-  return estimator;
-}
-
 }  // namespace
 
 RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
@@ -91,7 +57,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
   RequireReplaceable(options.output, {"manifest.json"});
   AtomicDirectory output(options.output);
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
-  EstimatorSession session(StartEstimator(scenario, *dive));
+  EstimatorSession session(StartEstimator(scenario, dive->InitialState()));
   std::optional<DiveRecorder> recorder;
   if (options.record) recorder.emplace(*dive, output.path() / "dataset");
   FrameSampler sampler(*dive, kSheetFrames);
@@ -115,8 +81,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
 
   const RunFiles files{dive->Truth(), session.Finish(), sampler.Take()};
   timings.estimator = session.seconds();
-  result.scorecard = score::Score(DescribeRun(scenario, *dive), files.truth, files.results.odometry,
-                                  files.results.corrected, scenario.criteria);
+  result.scorecard = ScoreDive(scenario, *dive, files.truth, files.results);
   WriteRunFiles(output.path(), scenario, *dive, files, result);
   if (recorder) recorder->Commit();
   output.Commit(AtomicDirectory::IfExists::kReplace);

@@ -47,6 +47,7 @@ EstimatorChoice ReadEstimator(YamlReader& yaml) {
   estimator.name = yaml.Choice("name", known, estimator.name);
   if (yaml.Has("rig")) estimator.rig = ReadRigName(yaml, "rig");
   yaml.Skip("rig");  // Also where it is missing: messages list it among the known keys.
+  if (const YamlNode* changes = yaml.OptionalSubtree("rig_set")) estimator.rig_set = *changes;
   estimator.start_from_truth = yaml.Boolean("start_from_truth", estimator.start_from_truth);
   if (const YamlNode* options = yaml.OptionalSubtree("options")) estimator.options = *options;
   return estimator;
@@ -81,7 +82,8 @@ Scenario ReadScenario(const YamlNode& root, const std::string& name) {
 }
 
 std::unique_ptr<Estimator> MakeEstimator(const EstimatorChoice& choice) {
-  return FindEstimator(choice.name).make(LoadUsableRig(FindRig(choice.rig)), choice.options);
+  return FindEstimator(choice.name)
+      .make(LoadUsableRig(FindRig(choice.rig), choice.rig_set), choice.options);
 }
 
 Scenario LoadScenario(const std::filesystem::path& path,

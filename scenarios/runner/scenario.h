@@ -28,6 +28,7 @@ struct EstimatorChoice {
   std::string name = "dead-reckoning";
   /// What the estimator believes of the rig: a rig's name or file; by default the true one.
   std::string rig;
+  YamlNode rig_set;  ///< What it believes otherwise: {stereo.rate_hz: 10}.
   bool start_from_truth = false;
   YamlNode options = NoOptions();  ///< A mapping that the estimator itself understands.
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/scoring/initialisation.h"
 #include "sensors_models/base/check.h"
 
 namespace drydock::score {
@@ -40,6 +41,7 @@ void FillFromOdometry(const RunInfo& run, const Trajectory& truth, const Traject
   metrics.ate_odometry_rmse_m = score ? score->metrics.ate_rmse_m : std::nullopt;
   metrics.continuity_percent = 100.0 * Continuity(truth, odometry, kMaxGap);
   metrics.init_time_s = TimeToNextPose(odometry, truth.front().t);
+  metrics.init_scale_error_percent = InitialScaleErrorPercent(truth, odometry);
   if (run.last_fault_end) metrics.recovery_time_s = TimeToNextPose(odometry, *run.last_fault_end);
 }
 

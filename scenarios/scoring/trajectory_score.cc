@@ -31,12 +31,6 @@ double TruePathLength(const Trajectory& truth, Time from, Time to) {
   return length;
 }
 
-std::optional<double> ScaleErrorPercent(const std::vector<PosePair>& pairs) {
-  const auto similarity = Align(pairs, Alignment::kSim3);
-  if (!similarity || !(similarity->scale > 0.0)) return std::nullopt;
-  return 100.0 * (1.0 / similarity->scale - 1.0);
-}
-
 std::optional<double> FinalDriftPercent(const Trajectory& truth,
                                         const std::vector<PosePair>& pairs) {
   const double path = TruePathLength(truth, pairs.front().t, pairs.back().t);
@@ -137,6 +131,12 @@ std::optional<TrajectoryScore> TryScoreTrajectories(const Trajectory& truth,
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+std::optional<double> ScaleErrorPercent(const std::vector<PosePair>& pairs) {
+  const auto similarity = Align(pairs, Alignment::kSim3);
+  if (!similarity || !(similarity->scale > 0.0)) return std::nullopt;
+  return 100.0 * (1.0 / similarity->scale - 1.0);
 }
 
 double Continuity(const Trajectory& truth, const Trajectory& estimate, Duration max_gap) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "scenarios/scoring/alignment.h"
 #include "scenarios/scoring/association.h"
@@ -36,6 +37,9 @@ TrajectoryScore ScoreTrajectories(const Trajectory& truth, const Trajectory& est
 std::optional<TrajectoryScore> TryScoreTrajectories(const Trajectory& truth,
                                                     const Trajectory& estimate, Alignment alignment,
                                                     const AssociationOptions& options = {});
+
+/// 100 (1/s - 1) with s the scale of Sim(3) alignment; nothing where the pairs do not determine it.
+std::optional<double> ScaleErrorPercent(const std::vector<PosePair>& pairs);
 
 /// Time with a valid estimate as a share of the truth's time from the estimate's first pose on
 /// [0..1]. Between two poses at most `max_gap` apart the estimate is valid, as it is from its last

@@ -220,14 +220,13 @@ YamlNode ParseValue(std::string_view text, const SourcePlace& place) {
   return {};
 }
 
-/// The value that one step of a --set path leads to. Adds a missing key of a mapping, as a mapping
-/// itself unless it is the last: whether it means anything is for the reader to say.
-YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view assignment,
-               const SourcePlace& place) {
+/// The value that one step of a path leads to. Adds a missing key of a mapping, as a mapping itself
+/// unless it is the last: whether it means anything is for the reader to say.
+YamlNode& Step(YamlNode& node, std::string_view key, bool last, const SourcePlace& place) {
   if (node.kind == YamlNode::Kind::kMap) {
     if (YamlNode* found = node.Find(key)) return *found;
-    RequireInput(!key.empty() && key.size() <= kMaxKeyBytes, "--set {}: there is no '{}' at {}",
-                 assignment, key, node.place.ToString());
+    RequireInput(!key.empty() && key.size() <= kMaxKeyBytes, "{}: there is no '{}' at {}",
+                 place.ToString(), key, node.place.ToString());
     YamlNode added;
     added.place = place;
     if (!last) added.kind = YamlNode::Kind::kMap;
@@ -237,7 +236,7 @@ YamlNode& Step(YamlNode& node, std::string_view key, bool last, std::string_view
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
   const bool is_index = error == std::errc() && end == key.data() + key.size();
   RequireInput(node.kind == YamlNode::Kind::kList && is_index && index < node.items.size(),
-               "--set {}: '{}' leads nowhere at {}", assignment, key, node.place.ToString());
+               "{}: '{}' leads nowhere at {}", place.ToString(), key, node.place.ToString());
   return node.items[index];
 }
 
@@ -309,19 +308,27 @@ void SetYaml(YamlNode& root, std::string_view assignment) {
                assignment);
   const SourcePlace place{std::make_shared<const std::string>(fmt::format("--set {}", assignment)),
                           0};
-  std::string_view path = assignment.substr(0, equals);
+  YamlNode value = ParseValue(assignment.substr(equals + 1), place);
+  value.place = place;
+  SetYaml(root, assignment.substr(0, equals), std::move(value));
+}
+
+void SetYaml(YamlNode& root, std::string_view path, YamlNode value) {
   YamlNode* node = &root;
   for (int depth = 1;; ++depth) {
-    RequireInput(depth < kMaxDepth, "--set {}: leads deeper than {}", assignment.substr(0, 60),
+    RequireInput(depth < kMaxDepth, "{:.60}: leads deeper than {}", value.place.ToString(),
                  kMaxDepth);
     const auto dot = path.find('.');
     const bool last = dot == std::string_view::npos;
-    node = &Step(*node, path.substr(0, dot), last, assignment, place);
+    node = &Step(*node, path.substr(0, dot), last, value.place);
     if (last) break;
     path.remove_prefix(dot + 1);
   }
-  *node = ParseValue(assignment.substr(equals + 1), place);
-  node->place = place;
+  *node = std::move(value);
+}
+
+void SetAllYaml(YamlNode& root, const YamlNode& values) {
+  for (const auto& [path, value] : values.members) SetYaml(root, path, value);
 }
 
 std::string EmitYaml(const YamlNode& root) {

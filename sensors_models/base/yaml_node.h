@@ -56,6 +56,12 @@ void MergeYaml(YamlNode& base, const YamlNode& over);
 /// existing mappings or lists; a last key that is not there yet is added. InputError otherwise.
 void SetYaml(YamlNode& root, std::string_view assignment);
 
+/// The same for a value that is there already; what is wrong is said of its place.
+void SetYaml(YamlNode& root, std::string_view path, YamlNode value);
+
+/// Applies each member of the mapping `values`, whose keys are paths: {water.visibility_m: 6}.
+void SetAllYaml(YamlNode& root, const YamlNode& values);
+
 /// The tree as YAML text that ParseYaml reads back to an equal tree.
 std::string EmitYaml(const YamlNode& root);
 

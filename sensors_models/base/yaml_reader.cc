@@ -81,13 +81,13 @@ std::string YamlReader::PathOf(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
-const YamlNode* YamlReader::FindValue(std::string_view key) {
+const YamlNode* YamlReader::Value(std::string_view key) {
   known_.emplace(key);
   return node_.Find(key);
 }
 
 const YamlNode& YamlReader::Require(std::string_view key) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   if (value == nullptr) RequireInput(false, "{}: the key '{}' is missing", Place(), PathOf(key));
   return *value;
 }
@@ -125,7 +125,7 @@ double YamlReader::Real(std::string_view key, Bounds bounds) {
 }
 
 double YamlReader::Real(std::string_view key, Bounds bounds, double default_value) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   return value == nullptr ? default_value : ToReal(*value, key, bounds);
 }
 
@@ -134,12 +134,12 @@ std::int64_t YamlReader::Integer(std::string_view key, Bounds bounds) {
 }
 
 std::int64_t YamlReader::Integer(std::string_view key, Bounds bounds, std::int64_t default_value) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   return value == nullptr ? default_value : ToInteger(*value, key, bounds);
 }
 
 bool YamlReader::Boolean(std::string_view key, bool default_value) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   if (value == nullptr) return default_value;
   const bool plain = value->kind == YamlNode::Kind::kScalar && !value->quoted;
   if (plain && value->text == "true") return true;
@@ -154,7 +154,7 @@ std::string YamlReader::Text(std::string_view key) {
 }
 
 std::string YamlReader::Text(std::string_view key, std::string_view default_value) {
-  return FindValue(key) == nullptr ? std::string(default_value) : Text(key);
+  return Value(key) == nullptr ? std::string(default_value) : Text(key);
 }
 
 std::string YamlReader::Choice(std::string_view key, const std::vector<std::string>& allowed,
@@ -187,7 +187,7 @@ Eigen::Vector3d YamlReader::Vector3(std::string_view key, Bounds bounds) {
 
 Eigen::Vector3d YamlReader::Vector3(std::string_view key, Bounds bounds,
                                     const Eigen::Vector3d& default_value) {
-  return FindValue(key) == nullptr ? default_value : Vector3(key, bounds);
+  return Value(key) == nullptr ? default_value : Vector3(key, bounds);
 }
 
 void YamlReader::Map(std::string_view key, const std::function<void(YamlReader&)>& read) {
@@ -197,18 +197,18 @@ void YamlReader::Map(std::string_view key, const std::function<void(YamlReader&)
 }
 
 void YamlReader::OptionalMap(std::string_view key, const std::function<void(YamlReader&)>& read) {
-  if (FindValue(key) != nullptr) Map(key, read);
+  if (Value(key) != nullptr) Map(key, read);
 }
 
 const YamlNode* YamlReader::OptionalSubtree(std::string_view key) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   if (value != nullptr && value->kind != YamlNode::Kind::kMap)
     Fail(*value, key, "a mapping of keys to values");
   return value;
 }
 
 void YamlReader::List(std::string_view key, const std::function<void(YamlReader&)>& read) {
-  const YamlNode* value = FindValue(key);
+  const YamlNode* value = Value(key);
   if (value == nullptr) return;
   if (value->kind != YamlNode::Kind::kList) Fail(*value, key, "a list");
   for (std::size_t i = 0; i < value->items.size(); ++i) {

@@ -63,6 +63,8 @@ class YamlReader {
   void OptionalMap(std::string_view key, const std::function<void(YamlReader&)>& read);
   /// A list of mappings, `read` called for each; a missing key is an empty list.
   void List(std::string_view key, const std::function<void(YamlReader&)>& read);
+  /// The value of `key` as it stands, which is read by that; nullptr where the key is missing.
+  const YamlNode* Value(std::string_view key);
   /// The mapping under `key` as it stands, for a reader of its own; nullptr where the key is
   /// missing.
   const YamlNode* OptionalSubtree(std::string_view key);
@@ -83,7 +85,6 @@ class YamlReader {
   void Finish(const std::function<void(const std::string& message)>& warn) const;
 
  private:
-  const YamlNode* FindValue(std::string_view key);
   const YamlNode& Require(std::string_view key);
   std::string PathOf(std::string_view key) const;
   double ToReal(const YamlNode& node, std::string_view key, Bounds bounds) const;

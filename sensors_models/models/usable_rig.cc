@@ -7,8 +7,9 @@
 
 namespace drydock {
 
-Rig LoadUsableRig(const std::filesystem::path& path) {
-  const YamlNode root = LoadYaml(path);
+Rig LoadUsableRig(const std::filesystem::path& path, const YamlNode& changes) {
+  YamlNode root = LoadYaml(path);
+  SetAllYaml(root, changes);
   Rig rig = ReadRig(root);
   const YamlNode& cameras = *root.Find("stereo")->Find("cameras");  // ReadRig insists on both.
   for (std::size_t i = 0; i < rig.stereo.cameras.size(); ++i) {

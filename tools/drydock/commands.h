@@ -17,6 +17,7 @@ using Action = std::function<int()>;
 void AddRunCommand(CLI::App& app, Action& chosen);
 void AddSimulateCommand(CLI::App& app, Action& chosen);
 void AddEstimateCommand(CLI::App& app, Action& chosen);
+void AddCompareCommand(CLI::App& app, Action& chosen);
 void AddScoreCommand(CLI::App& app, Action& chosen);
 void AddListCommand(CLI::App& app, Action& chosen);
 

@@ -19,10 +19,11 @@
 namespace drydock::cli {
 namespace {
 
-void PrintScenarios() {
-  fmt::print("Scenarios\n");
+/// The files of a folder with their summaries.
+void PrintFiles(const char* title, const std::filesystem::path& folder) {
+  fmt::print("{}\n", title);
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(DataDirectory() / "scenarios")) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -40,7 +41,9 @@ void PrintScenarios() {
 }
 
 int List() {
-  PrintScenarios();
+  const std::filesystem::path scenarios = DataDirectory() / "scenarios";
+  PrintFiles("Scenarios", scenarios);
+  PrintFiles("Suites", scenarios / "suites");
 #ifdef DRYDOCK_WITH_SIM
   fmt::print("Scenes\n");
   for (const scenes::SceneEntry& scene : scenes::Scenes())
@@ -61,7 +64,7 @@ int List() {
 
 void AddListCommand(CLI::App& app, Action& chosen) {
   CLI::App* command =
-      app.add_subcommand("list", "Scenarios, scenes, estimators and metrics, a line each");
+      app.add_subcommand("list", "Scenarios, suites, scenes, estimators and metrics, a line each");
   command->callback([&chosen] { chosen = List; });
 }
 

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
 #ifdef DRYDOCK_WITH_SIM
   AddRunCommand(app, chosen);
   AddSimulateCommand(app, chosen);
+  AddCompareCommand(app, chosen);
 #endif
   AddEstimateCommand(app, chosen);
   AddScoreCommand(app, chosen);

@@ -11,7 +11,8 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 #ifdef DRYDOCK_WITH_SIM
-const std::vector<std::string> kCommands = {"run", "simulate", "estimate", "score", "list"};
+const std::vector<std::string> kCommands = {"run",      "simulate", "compare",
+                                            "estimate", "score",    "list"};
 #else
 const std::vector<std::string> kCommands = {"estimate", "score", "list"};
 #endif
@@ -53,6 +54,7 @@ TEST(CliList, NamesWhatUsersMayWrite) {
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_EQ(list.err, "");
   EXPECT_THAT(list.out, ContainsRegex("Scenarios\n.*  bus +A school bus"));
+  EXPECT_THAT(list.out, ContainsRegex("Suites\n.*  odometry_headline +[A-Z]"));
   EXPECT_THAT(list.out, ContainsRegex("Estimators\n.*  dead-reckoning +[A-Za-z]"));
   EXPECT_THAT(list.out, ContainsRegex("Metrics\n.*  ate_rmse_m +.*\\[m\\]"));
 #ifdef DRYDOCK_WITH_SIM

@@ -22,6 +22,11 @@ class Talker final : public Estimator {
   std::optional<NavEstimate> Latest() const override {
     NavEstimate estimate;
     estimate.status = TrackingStatus::kTracking;
+    // The second pose comes with a covariance, and stays the latest.
+    if (odometry_.size() == 2) {
+      estimate.state.t = odometry_.back().t;
+      estimate.pose_covariance = Eigen::Matrix<double, 6, 6>::Identity();
+    }
     return estimate;
   }
   const Trajectory& Odometry() const override { return odometry_; }
@@ -45,6 +50,9 @@ TEST(EstimatorSession, KeepsWhatTheEstimatorSays) {
   EXPECT_THAT(results.events,
               testing::ElementsAre("1.000 s: initialised", "1.250 s: tracking, map 0",
                                    "2.000 s: carried on", "2.000 s: optimised"));
+  EXPECT_EQ(results.false_starts, 0);
+  ASSERT_EQ(results.beliefs.size(), 1U);
+  EXPECT_EQ(results.beliefs[0].t, Time::FromSeconds(12.0));
   EXPECT_EQ(StagesJson(results.stages).dump(),
             R"({"talking":{"count":2,"total_s":0.5,"median_ms":2.0,"p99_ms":3.0}})");
 }
