@@ -1,5 +1,6 @@
 #include "estimator/svin2/odometry/svin2_config.h"
 
+#include "estimator/svin2/frontend/feature_tracker_yaml.h"
 #include "sensors_models/base/yaml_reader.h"
 
 namespace drydock::svin2 {
@@ -26,6 +27,8 @@ Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults
     config.use_depth = reader.Boolean("use_depth", config.use_depth);
     config.imu_noise_inflation =
         reader.Real("imu_noise_inflation", {0.1, 100.0}, config.imu_noise_inflation);
+    reader.OptionalMap(
+        "frontend", [&](YamlReader& frontend) { config.frontend = ReadFeatureTracker(frontend); });
     reader.OptionalMap("initialiser", [&](YamlReader& initialiser) {
       config.initialiser = ReadInitialiserConfig(initialiser);
     });
