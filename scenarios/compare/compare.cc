@@ -68,6 +68,7 @@ class Crew {
   /// Waits for what was begun before, and begins `work` on each lane.
   void Begin(const std::function<void(Lane&)>& work) {
     Wait();
+    begun_.reserve(lanes_.size());
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       Lane& lane = *lanes_[i];
       begun_.push_back(workers_[i % workers_.size()]->Submit([work, &lane] { work(lane); }));
@@ -90,6 +91,7 @@ std::vector<Finished> Swim(const std::vector<Scenario>& scenarios, const Compare
   Dive dive(scenarios.front(), options.renderer);
   const auto progress = options.progress();
   std::vector<std::unique_ptr<Lane>> lanes;
+  lanes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)
     lanes.push_back(std::make_unique<Lane>(scenario, dive));
   Crew crew(lanes);
