@@ -91,6 +91,7 @@ std::vector<Finished> Swim(const std::vector<Scenario>& scenarios, const Compare
   Dive dive(scenarios.front(), options.renderer);
   const auto progress = options.progress();
   std::vector<std::unique_ptr<Lane>> lanes;
+  lanes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)
     lanes.push_back(std::make_unique<Lane>(scenario, dive));
   Crew crew(lanes);
