@@ -37,6 +37,14 @@ double DepthSigma(const DepthSheet& sheet) {
   return std::hypot(std::sqrt(2.0) * sheet.noise_m, std::sqrt(2.0) * rounding, kBetweenFrames);
 }
 
+/// Biases at the start are as likely as the sheet says, where it does.
+StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
+  StartSigmas sigmas = config;
+  if (sheet.gyro_turn_on_bias > 0.0) sigmas.speed_bias.gyro_bias = 2.0 * sheet.gyro_turn_on_bias;
+  if (sheet.accel_turn_on_bias > 0.0) sigmas.speed_bias.accel_bias = 2.0 * sheet.accel_turn_on_bias;
+  return sigmas;
+}
+
 DepthSheet InitialisersDepth(const Rig& rig, const Svin2Config& config) {
   DepthSheet sheet = rig.depth;
   if (!config.use_depth) sheet.rate_hz = 0.0;
@@ -48,6 +56,7 @@ DepthSheet InitialisersDepth(const Rig& rig, const Svin2Config& config) {
 Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
     : rig_(rig),
       config_(config),
+      start_sigmas_(StartSigmasOf(rig.imu, config.start)),
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
       initialiser_(config.initialiser, rig.stereo,
@@ -188,7 +197,7 @@ void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
   if (const auto imu = imu_.Integrate(known.t, pending.t, {known.gyro_bias, known.accel_bias}))
     state = Propagate(known, *imu);
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
-  window_->Start(state, config_.start, Track(pending, std::nullopt));
+  window_->Start(state, start_sigmas_, Track(pending, std::nullopt));
   UseDepths();
   window_->Optimise();
   Publish();
@@ -211,7 +220,7 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   TrackedFrame first = start.frames.front().tracked;
   first.is_keyframe = true;
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
-  window_->Start(state_of(start.frames.front()), config_.start, first);
+  window_->Start(state_of(start.frames.front()), start_sigmas_, first);
   monitor_.Restart();
   for (std::size_t k = 1; k < start.frames.size(); ++k) {
     const NavState before = window_->Latest();

@@ -75,6 +75,7 @@ class Svin2 final : public Estimator {
 
   Rig rig_;
   Svin2Config config_;
+  StartSigmas start_sigmas_;
   Tracker tracker_;
   ImuBuffer imu_;
   Initialiser initialiser_;

@@ -22,7 +22,7 @@ struct Svin2Config {
   bool use_depth = true;
   /// What is believed of the IMU's noise, as a multiple of its sheet: scale errors, misalignment
   /// and integration are not in the model.
-  double imu_noise_inflation = 2.0;
+  double imu_noise_inflation = 1.5;
   FeatureTracker::Config frontend;
   InitialiserConfig initialiser;
   WindowConfig window;
