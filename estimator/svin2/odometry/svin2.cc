@@ -12,6 +12,8 @@ namespace {
 
 /// A frame waits this long for the IMU samples up to its time.
 constexpr Duration kLongestWait{50'000'000};
+/// From the reading that all others refer to, to its frame [s].
+constexpr double kLongestReferenceAge = 0.07;
 /// Samples this old may still serve an initialisation.
 constexpr Duration kInitialisationSpan{10'000'000'000};
 
@@ -221,6 +223,7 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   first.is_keyframe = true;
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
   window_->Start(state_of(start.frames.front()), start_sigmas_, first);
+  UseDepths();
   monitor_.Restart();
   for (std::size_t k = 1; k < start.frames.size(); ++k) {
     const NavState before = window_->Latest();
@@ -252,8 +255,8 @@ void Svin2::UseDepth(const TimedDepth& reading) {
   const double age = (state.t - reading.t).Seconds();
   const double height = (state.T_WI * rig_.depth.p_ID).z() - age * state.v_W.z();
   if (!depth_reference_) {
-    // Before this frame the height was another one.
-    if (age < 0.2) depth_reference_ = DepthReference{reading.depth, height};
+    // Every later reading leans on this one: none that has to be carried far.
+    if (age <= kLongestReferenceAge) depth_reference_ = DepthReference{reading.depth, height};
     return;
   }
   const double expected = depth_reference_->depth - (height - depth_reference_->height_W);

@@ -1,0 +1,59 @@
+#include "estimator/svin2/odometry/svin2_config.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sensors_models/base/check.h"
+
+namespace drydock::svin2 {
+namespace {
+
+using ::testing::HasSubstr;
+
+Svin2Config Read(const std::string& text) {
+  return ReadSvin2Config(ParseYaml(text, "options.yaml"), {});
+}
+
+std::string ErrorOf(const std::string& text) {
+  try {
+    Read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Svin2Config, NothingSaidLeavesTheDefaults) {
+  const Svin2Config config = Read("{}");
+  EXPECT_TRUE(config.use_sonar);
+  EXPECT_TRUE(config.use_depth);
+  EXPECT_EQ(config.window.keyframes, 5);
+  EXPECT_EQ(config.window.recent_frames, 3);
+}
+
+TEST(Svin2Config, ReadsWhatIsSaid) {
+  const Svin2Config config = Read(
+      "use_sonar: false\nuse_depth: false\nimu_noise_inflation: 2.5\n"
+      "window: {keyframes: 8, recent_frames: 4, iterations: 3}\n"
+      "frontend: {preprocess: false}\ninitialiser: {min_landmarks: 20}\n");
+  EXPECT_FALSE(config.use_sonar);
+  EXPECT_FALSE(config.use_depth);
+  EXPECT_EQ(config.imu_noise_inflation, 2.5);
+  EXPECT_EQ(config.window.keyframes, 8);
+  EXPECT_EQ(config.window.recent_frames, 4);
+  EXPECT_EQ(config.window.solver.iterations, 3);
+  EXPECT_FALSE(config.frontend.preprocess);
+  EXPECT_EQ(config.initialiser.min_landmarks, 20);
+}
+
+TEST(Svin2Config, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(ErrorOf("use_sonar: maybe\n"), HasSubstr("options.yaml:1"));
+  EXPECT_THAT(ErrorOf("use_sonar: true\nuse_radar: true\n"), HasSubstr("options.yaml:2"));
+  EXPECT_THAT(ErrorOf("window: {recent_frames: 1}\n"), HasSubstr("recent_frames"));
+  EXPECT_THAT(ErrorOf("window: {frames: 1}\n"), HasSubstr("frames"));
+}
+
+}  // namespace
+}  // namespace drydock::svin2

@@ -1,0 +1,148 @@
+#include "estimator/svin2/odometry/svin2.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/estimator/svin2/synthetic_motion.h"
+#include "tests/estimator/svin2/synthetic_tracks.h"
+
+namespace drydock::svin2 {
+namespace {
+
+constexpr Duration kFramePeriod{66'000'000};
+constexpr Duration kImuPeriod{2'000'000};
+constexpr double kSurface = 6.0;  // [m]
+
+Rig SyntheticRig() {
+  Rig rig;
+  rig.stereo = testing::SyntheticStereo();
+  rig.imu.rate_hz = 500.0;
+  rig.depth.rate_hz = 1.0;
+  rig.depth.p_ID = {-0.28, -0.02, 0.03};
+  rig.depth.noise_m = 1e-3;
+  return rig;
+}
+
+/// The synthetic motion as a robot's computer would get it. Images are empty: points come straight
+/// from the landmarks.
+class SyntheticDive {
+ public:
+  explicit SyntheticDive(const Svin2Config& config = {}) : tracks_(300, 0.0) {
+    estimator = std::make_unique<Svin2>(
+        SyntheticRig(), config,
+        [this](Time t, const StereoFrame&, const std::optional<MotionPrediction>&,
+               const LandmarkLookup&) {
+          TrackedFrame seen = tracks_.See(t, testing::MotionAt(t).T_WI);
+          if (is_dark && is_dark(t)) seen.points.clear();
+          return seen;
+        });
+  }
+
+  void RunTo(double seconds) {
+    for (; now_ <= Time::FromSeconds(seconds); now_ = now_ + kImuPeriod) {
+      if (now_.ns % kFramePeriod.ns == 0) Add(StereoFrame{});
+      if (now_.ns % 1'000'000'000 == 0) {
+        const double z = (testing::MotionAt(now_).T_WI * SyntheticRig().depth.p_ID).z();
+        Add(DepthSample{kSurface - z});
+      }
+      Add(testing::MotionImu(now_));
+      for (EstimatorEvent& event : estimator->TakeEvents()) said += event.message + "\n";
+    }
+  }
+
+  std::unique_ptr<Svin2> estimator;
+  std::function<bool(Time)> is_dark;
+  std::string said;
+
+ private:
+  void Add(const Reading& reading) { estimator->Add({now_, now_, reading}); }
+
+  testing::SyntheticTracks tracks_;
+  Time now_;
+};
+
+/// How far the way between two published poses is from the true one.
+double ErrorBetween(const Trajectory& odometry, std::size_t i, std::size_t j) {
+  const auto true_way =
+      testing::MotionAt(odometry[i].t).T_WI.Inverse() * testing::MotionAt(odometry[j].t).T_WI;
+  const auto way = odometry[i].T_WI.Inverse() * odometry[j].T_WI;
+  return way.BoxMinus(true_way).norm();
+}
+
+TEST(Svin2, FollowsTheTruthFromAKnownStart) {
+  SyntheticDive dive;
+  dive.estimator->Start(testing::MotionAt(Time{}));
+  dive.RunTo(6.0);
+  const Trajectory& odometry = dive.estimator->Odometry();
+  ASSERT_EQ(odometry.size(), 91U);  // 0 to 5.94 s; each as soon as the IMU has come up to it.
+  for (const StampedPose& pose : odometry)
+    // Depth is carried from its own time to the nearest frame at constant speed.
+    ASSERT_LT(pose.T_WI.BoxMinus(testing::MotionAt(pose.t).T_WI).norm(), 1e-3);
+  ASSERT_TRUE(dive.estimator->Latest().has_value());
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kTracking);
+  EXPECT_TRUE(dive.estimator->Latest()->pose_covariance.has_value());
+  EXPECT_FALSE(dive.estimator->Map().empty());
+  EXPECT_EQ(dive.said, "");
+}
+
+TEST(Svin2, InitialisesItselfInMotion) {
+  SyntheticDive dive;
+  dive.estimator->Start(std::nullopt);
+  dive.RunTo(8.0);
+  const Trajectory& odometry = dive.estimator->Odometry();
+  ASSERT_GT(odometry.size(), 60U);
+  EXPECT_LT(ErrorBetween(odometry, 0, odometry.size() - 1), 0.02);
+  // Level: gravity was found.
+  const Eigen::Vector3d up = odometry.back().T_WI.q().conjugate() * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d true_up =
+      testing::MotionAt(odometry.back().t).T_WI.q().conjugate() * Eigen::Vector3d::UnitZ();
+  EXPECT_LT((up - true_up).norm(), 5e-3);
+  EXPECT_NE(dive.said.find("initialised: started in motion"), std::string::npos) << dive.said;
+}
+
+TEST(Svin2, SaysNothingWhileThereIsNothingToSee) {
+  SyntheticDive dive;
+  dive.is_dark = [](Time) { return true; };
+  dive.estimator->Start(std::nullopt);
+  dive.RunTo(5.0);
+  EXPECT_TRUE(dive.estimator->Odometry().empty());
+  EXPECT_FALSE(dive.estimator->Latest().has_value());
+}
+
+TEST(Svin2, ReckonsThroughDarkness) {
+  SyntheticDive dive;
+  dive.is_dark = [](Time t) { return t > Time::FromSeconds(4) && t < Time::FromSeconds(8); };
+  dive.estimator->Start(testing::MotionAt(Time{}));
+  dive.RunTo(7.0);
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kDeadReckoning);
+  dive.RunTo(10.0);
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kTracking);
+  EXPECT_EQ(dive.estimator->Latest()->map_id, 0);
+  const StampedPose& last = dive.estimator->Odometry().back();
+  EXPECT_LT((last.T_WI.p() - testing::MotionAt(last.t).T_WI.p()).norm(), 0.02);
+}
+
+TEST(Svin2, StartsANewMapAfterItWasLost) {
+  Svin2Config config;
+  config.tracking.longest_blindness_s = 2.0;
+  SyntheticDive dive(config);
+  dive.is_dark = [](Time t) { return t > Time::FromSeconds(3) && t < Time::FromSeconds(7); };
+  dive.estimator->Start(testing::MotionAt(Time{}));
+  dive.RunTo(6.5);
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kLost);
+  dive.RunTo(11.0);
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kTracking);
+  EXPECT_EQ(dive.estimator->Latest()->map_id, 1);
+  EXPECT_NE(dive.said.find("initialised"), std::string::npos);
+  // One pose a frame all the way, and the new map lies where the old one was.
+  EXPECT_EQ(dive.estimator->Odometry().size(), 168U);
+  const StampedPose& last = dive.estimator->Odometry().back();
+  EXPECT_LT((last.T_WI.p() - testing::MotionAt(last.t).T_WI.p()).norm(), 0.2);
+}
+
+}  // namespace
+}  // namespace drydock::svin2
