@@ -90,6 +90,7 @@ const std::vector<FactorId>& FactorGraph::FactorsOf(BlockId block) const {
 double FactorGraph::ChiSquare(FactorId factor) const {
   const Factor& that = factors_.at(factor);
   std::vector<const double*> parameters;
+  parameters.reserve(that.blocks.size());
   for (const BlockId block : that.blocks) parameters.push_back(blocks_.at(block).values.data());
   Eigen::VectorXd residual(that.cost->num_residuals());
   if (!that.cost->Evaluate(parameters.data(), residual.data(), nullptr) || !residual.allFinite())
@@ -97,22 +98,20 @@ double FactorGraph::ChiSquare(FactorId factor) const {
   return residual.squaredNorm();
 }
 
+std::set<BlockId> FactorGraph::TiedLandmarks() const {
+  std::set<BlockId> tied;
+  const auto is_landmark = [this](BlockId block) {
+    return blocks_.at(block).values.size() == kLandmarkSize;
+  };
+  for (const auto& [id, factor] : factors_)
+    if (std::count_if(factor.blocks.begin(), factor.blocks.end(), is_landmark) > 1)
+      tied.insert(factor.blocks.begin(), factor.blocks.end());
+  return tied;
+}
+
 SolverReport FactorGraph::Optimise(const SolverLimits& limits) {
   SolverReport report;
   if (factors_.empty()) return report;
-  PoseManifold manifold;
-  ceres::Problem problem(ProblemOptions());
-  ceres::Solver::Options options = SolverOptions(limits);
-  options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  // Landmarks that share a factor (a sonar's patch) cannot be eliminated one by one.
-  std::set<BlockId> tied;
-  for (const auto& [id, factor] : factors_) {
-    const auto is_landmark = [&](BlockId block) {
-      return blocks_.at(block).values.size() == kLandmarkSize;
-    };
-    if (std::count_if(factor.blocks.begin(), factor.blocks.end(), is_landmark) > 1)
-      tied.insert(factor.blocks.begin(), factor.blocks.end());
-  }
   // Ceres orders blocks by their addresses: in one array, in the order of ids, runs agree to the
   // bit.
   std::map<BlockId, std::size_t> offsets;
@@ -121,13 +120,20 @@ SolverReport FactorGraph::Optimise(const SolverLimits& limits) {
     offsets.emplace(id, state.size());
     state.insert(state.end(), block.values.begin(), block.values.end());
   }
+
+  PoseManifold manifold;
+  ceres::Problem problem(ProblemOptions());
+  ceres::Solver::Options options = SolverOptions(limits);
+  options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+  const std::set<BlockId> tied = TiedLandmarks();
   for (const auto& [id, block] : blocks_) {
     if (block.factors.empty()) continue;
     double* values = state.data() + offsets.at(id);
-    const bool first = block.values.size() == kLandmarkSize && !tied.contains(id);
-    problem.AddParameterBlock(values, static_cast<int>(block.values.size()),
-                              block.values.size() == kPoseSize ? &manifold : nullptr);
-    options.linear_solver_ordering->AddElementToGroup(values, first ? 0 : 1);
+    const std::size_t size = block.values.size();
+    problem.AddParameterBlock(values, static_cast<int>(size),
+                              size == kPoseSize ? &manifold : nullptr);
+    const bool goes_first = size == kLandmarkSize && !tied.contains(id);
+    options.linear_solver_ordering->AddElementToGroup(values, goes_first ? 0 : 1);
   }
   std::vector<double*> parameters;
   for (const auto& [id, factor] : factors_) {
@@ -136,6 +142,7 @@ SolverReport FactorGraph::Optimise(const SolverLimits& limits) {
       parameters.push_back(state.data() + offsets.at(block));
     problem.AddResidualBlock(factor.cost.get(), factor.loss.get(), parameters);
   }
+
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   report.iterations = static_cast<int>(summary.iterations.size());
@@ -219,6 +226,7 @@ void FactorGraph::Marginalise(std::span<const BlockId> gone) {
 
 std::optional<Eigen::MatrixXd> FactorGraph::CovarianceOf(BlockId block) const {
   std::vector<FactorId> all;
+  all.reserve(factors_.size());
   for (const auto& [id, factor] : factors_) all.push_back(id);
   const std::array<BlockId, 1> kept = {block};
   const LinearPrior reduced = Reduce(all, kept);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -91,6 +92,8 @@ class FactorGraph {
     std::vector<BlockId> blocks;
   };
 
+  /// Landmarks that share a factor (a sonar's patch), which cannot be eliminated one by one.
+  std::set<BlockId> TiedLandmarks() const;
   LinearPrior Reduce(const std::vector<FactorId>& factors, std::span<const BlockId> kept) const;
   const BlockValues& LinearisationPoint(BlockId block) const;
   std::vector<BlockId> BlocksOf(const std::vector<FactorId>& factors) const;

@@ -253,7 +253,12 @@ void Svin2::UseDepths() {
 void Svin2::UseDepth(const TimedDepth& reading) {
   const NavState state = window_->Latest();
   const double age = (state.t - reading.t).Seconds();
-  const double height = (state.T_WI * rig_.depth.p_ID).z() - age * state.v_W.z();
+  const std::vector<TimedImuSample> imu = imu_.Between(reading.t, reading.t);
+  const Eigen::Vector3d rate_I =
+      imu.empty() ? Eigen::Vector3d::Zero()
+                  : Eigen::Vector3d(imu.front().sample.angular_rate - state.gyro_bias);
+  const Eigen::Vector3d port = ExpSO3(-age * rate_I) * rig_.depth.p_ID;
+  const double height = (state.T_WI * port).z() - age * state.v_W.z();
   if (!depth_reference_) {
     // Every later reading leans on this one: none that has to be carried far.
     if (age <= kLongestReferenceAge) depth_reference_ = DepthReference{reading.depth, height};
@@ -266,7 +271,7 @@ void Svin2::UseDepth(const TimedDepth& reading) {
     return;
   }
   const DepthObservation observation{reading.depth, rig_.depth.p_ID, {}, DepthSigma(rig_.depth)};
-  window_->AddDepth(reading.t, observation, *depth_reference_);
+  window_->AddDepth(reading.t, observation, *depth_reference_, rate_I);
 }
 
 void Svin2::UsePings(const NavState& before, const NavState& now) {

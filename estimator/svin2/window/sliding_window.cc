@@ -88,6 +88,7 @@ void SlidingWindow::TriangulateNewLandmarks() {
     if (point.landmark || point.observations.size() < 2) continue;
     if (point.observations.back().frame != newest) continue;
     std::vector<View> views;
+    views.reserve(point.observations.size());
     for (const Observation& seen : point.observations) {
       views.push_back({&geometry_.camera(seen.camera),
                        graph_.PoseOf(FrameAt(seen.frame).pose) * geometry_.T_IC(seen.camera),
@@ -100,8 +101,8 @@ void SlidingWindow::TriangulateNewLandmarks() {
   }
 }
 
-void SlidingWindow::AddDepth(Time t, DepthObservation observation,
-                             const DepthReference& reference) {
+void SlidingWindow::AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
+                             const Eigen::Vector3d& rate_I) {
   const Frame* nearest = nullptr;
   const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
   for (const Frame& frame : frames_) {
@@ -110,6 +111,8 @@ void SlidingWindow::AddDepth(Time t, DepthObservation observation,
   }
   if (nearest == nullptr) return;
   observation.since_frame = t - nearest->t;
+  // The port as the frame's body would have it at the time of the reading.
+  observation.p_ID = ExpSO3(observation.since_frame.Seconds() * rate_I) * observation.p_ID;
   graph_.AddFactor(std::make_unique<DepthFactor>(observation, reference),
                    {nearest->pose, *nearest->speed_bias});
 }

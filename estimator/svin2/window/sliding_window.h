@@ -49,8 +49,10 @@ class SlidingWindow {
 
   /// Adds the next frame, which `imu` links to the last one, at the state that the IMU predicts.
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
-  /// Ties a pressure reading taken at `t` to the frame nearest to it.
-  void AddDepth(Time t, DepthObservation observation, const DepthReference& reference);
+  /// Ties a pressure reading taken at `t`, while the body turned at `rate_I` [rad/s, in I], to the
+  /// frame nearest to it.
+  void AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
+                const Eigen::Vector3d& rate_I = Eigen::Vector3d::Zero());
 
   /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
   /// the observation holds the others. When a landmark or the frame leaves, what is left of the
@@ -89,7 +91,7 @@ class SlidingWindow {
     std::int64_t index = 0;
     Time t;
     bool is_keyframe = false;
-    BlockId pose;
+    BlockId pose{};
     std::optional<BlockId> speed_bias;
     std::optional<ImuLink> imu;  // From the frame before.
   };
@@ -109,7 +111,7 @@ class SlidingWindow {
     std::int64_t frame = 0;
     SonarRangeObservation observation;
     std::vector<LandmarkId> estimated;
-    FactorId factor;
+    FactorId factor{};
   };
 
   Frame& AddState(const NavState& state, const TrackedFrame& seen);

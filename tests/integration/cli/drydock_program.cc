@@ -31,6 +31,6 @@ Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::s
   return outcome;
 }
 
-std::string BusScenario() { return DRYDOCK_SOURCE_DIR "/scenarios/bus.yaml"; }
+std::string BusScenario() { return DRYDOCK_SOURCE_DIR "/tests/data/dead_reckoning/bus.yaml"; }
 
 }  // namespace drydock::testing

@@ -18,7 +18,7 @@ struct Outcome {
 Outcome RunDrydock(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                    int limit_s = 240);
 
-/// The scenario that most tests swim a second of.
+/// The bus dive with dead reckoning from the true start: what most tests swim a second of.
 std::string BusScenario();
 
 }  // namespace drydock::testing

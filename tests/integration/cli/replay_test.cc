@@ -46,5 +46,29 @@ TEST(CliReplay, SimulateAndEstimateIsRun) {
               ReadFile(folder.path() / "estimate" / "odometry.tum"));
 }
 
+// The whole of SVIn2, from its own initialisation on: run twice, and from the recording.
+TEST(CliReplay, Svin2GivesTheSameBytesAgain) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> dive = {DRYDOCK_SOURCE_DIR "/scenarios/bus.yaml", "--set",
+                                         "duration_s=4", "--set", "criteria=[]"};
+  const auto run = [&](const std::string& output) {
+    std::vector<std::string> all = {"run", "--record", "-o", output};
+    all.insert(all.end(), dive.begin(), dive.end());
+    const Outcome outcome = RunDrydock(folder.path(), all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  run("run");
+  run("again");
+  const Outcome estimate = RunDrydock(
+      folder.path(), {"estimate", "run/dataset", "--estimator", "svin2-noloop", "-o", "estimate"});
+  ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
+  for (const char* name : {"odometry.tum", "trajectory.tum", "events.log"}) {
+    const std::string once = ReadFile(folder.path() / "run" / name);
+    EXPECT_GT(once.size(), 200U) << name;
+    EXPECT_TRUE(ReadFile(folder.path() / "again" / name) == once) << name;
+    EXPECT_TRUE(ReadFile(folder.path() / "estimate" / name) == once) << name;
+  }
+}
+
 }  // namespace
 }  // namespace drydock::testing

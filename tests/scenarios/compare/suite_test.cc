@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-std::string BusFile() { return (DataDirectory() / "scenarios" / "bus.yaml").string(); }
+std::string BusFile() { return DRYDOCK_SOURCE_DIR "/tests/data/dead_reckoning/bus.yaml"; }
 
 const std::string kSuite = R"(summary: Two
 seeds: [3, 4]

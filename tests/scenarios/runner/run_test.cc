@@ -6,14 +6,13 @@
 #include "scenarios/dataset/tum.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
-#include "sensors_models/base/resources.h"
 #include "tests/support/temporary_folder.h"
 
 namespace drydock {
 namespace {
 
 Scenario Bus(const std::vector<std::string>& overrides) {
-  return LoadScenario(DataDirectory() / "scenarios" / "bus.yaml", overrides);
+  return LoadScenario(DRYDOCK_SOURCE_DIR "/tests/data/dead_reckoning/bus.yaml", overrides);
 }
 
 const std::vector<std::string> kBlind = {"sensors={stereo: {enabled: false}}", "duration_s=15"};
