@@ -42,7 +42,7 @@ void Svin2Frame(::benchmark::State& state) {
   const RecordedDive dive = Record(state.range(0));
   std::vector<double> frames_ms;
   EstimatorTimings stages;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const auto estimator = FindEstimator("svin2-noloop").make(dive.rig, NoOptions());
     estimator->Start(std::nullopt);
     for (const Measurement& measurement : dive.measurements) {

@@ -50,7 +50,7 @@ TEST(CliReplay, SimulateAndEstimateIsRun) {
 TEST(CliReplay, Svin2GivesTheSameBytesAgain) {
   const TemporaryFolder folder;
   const std::vector<std::string> dive = {DRYDOCK_SOURCE_DIR "/scenarios/bus.yaml", "--set",
-                                         "duration_s=4", "--set", "criteria=[]"};
+                                         "duration_s=3", "--set", "criteria=[]"};
   const auto run = [&](const std::string& output) {
     std::vector<std::string> all = {"run", "--record", "-o", output};
     all.insert(all.end(), dive.begin(), dive.end());
