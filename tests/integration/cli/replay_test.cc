@@ -49,8 +49,8 @@ TEST(CliReplay, SimulateAndEstimateIsRun) {
 // The whole of SVIn2, from its own initialisation on: run twice, and from the recording.
 TEST(CliReplay, Svin2GivesTheSameBytesAgain) {
   const TemporaryFolder folder;
-  const std::vector<std::string> dive = {DRYDOCK_SOURCE_DIR "/scenarios/bus.yaml", "--set",
-                                         "duration_s=3", "--set", "criteria=[]"};
+  const std::vector<std::string> dive = {std::string(DRYDOCK_SOURCE_DIR) + "/scenarios/bus.yaml",
+                                         "--set", "duration_s=3", "--set", "criteria=[]"};
   const auto run = [&](const std::string& output) {
     std::vector<std::string> all = {"run", "--record", "-o", output};
     all.insert(all.end(), dive.begin(), dive.end());
