@@ -14,6 +14,8 @@ class ImuBuffer {
  public:
   explicit ImuBuffer(const ImuNoiseModel& noise) : noise_(noise) {}
 
+  const ImuNoiseModel& noise() const { return noise_; }
+
   /// False, and the sample is not kept, if it is not finite or not later than the one before.
   bool Add(Time t, const ImuSample& sample);
   /// Forgets what is older than the last sample at or before `t`.

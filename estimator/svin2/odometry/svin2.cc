@@ -61,9 +61,7 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       start_sigmas_(StartSigmasOf(rig.imu, config.start)),
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
-      initialiser_(config.initialiser, rig.stereo,
-                   NoiseModelOf(rig.imu, config.imu_noise_inflation),
-                   InitialisersDepth(rig, config)),
+      initialiser_(config.initialiser, rig.stereo, imu_.noise(), InitialisersDepth(rig, config)),
       depth_gate_(config.depth_gate),
       monitor_(config.tracking),
       landmark_memory_(Duration::FromSeconds(config.sonar.memory_s)) {}

@@ -39,7 +39,7 @@ void SlidingWindow::Start(const NavState& state, const StartSigmas& sigmas,
 
 void SlidingWindow::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
   const Frame before = frames_.back();
-  Frame& frame = AddState(Predict(imu), seen);
+  Frame& frame = AddState(Propagate(Latest(), imu), seen);
   Link(before, frame, imu);
   AddObservations(frame, seen);
 }
@@ -295,10 +295,6 @@ std::optional<Eigen::Matrix<double, 6, 6>> SlidingWindow::LatestCovariance() con
   return Eigen::Matrix<double, 6, 6>(*covariance);
 }
 
-NavState SlidingWindow::Predict(const ImuPreintegration& imu) const {
-  return Propagate(Latest(), imu);
-}
-
 std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) const {
   const auto at = points_.find(id);
   if (at == points_.end() || !at->second.landmark) return std::nullopt;
@@ -307,8 +303,7 @@ std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) co
 
 std::vector<Eigen::Vector3d> SlidingWindow::LandmarkPositions() const {
   std::vector<Eigen::Vector3d> positions;
-  for (const auto& [id, point] : points_)
-    if (const auto position = LandmarkPosition(id)) positions.push_back(*position);
+  ForEachLandmark([&](LandmarkId, const Eigen::Vector3d& p_W) { positions.push_back(p_W); });
   return positions;
 }
 

@@ -66,8 +66,6 @@ class SlidingWindow {
 
   NavState Latest() const;
   std::optional<Eigen::Matrix<double, 6, 6>> LatestCovariance() const;
-  /// The latest state carried on by `imu`.
-  NavState Predict(const ImuPreintegration& imu) const;
   std::optional<Eigen::Vector3d> LandmarkPosition(LandmarkId id) const;
   std::vector<Eigen::Vector3d> LandmarkPositions() const;
   /// Calls `visit` with id and position [m, in W] of each landmark.

@@ -48,8 +48,8 @@ TEST(EstimatorSession, KeepsWhatTheEstimatorSays) {
   EXPECT_EQ(results.odometry.size(), 2U);
   EXPECT_EQ(results.corrected.size(), 2U);
   EXPECT_THAT(results.events,
-              testing::ElementsAre("1.000 s: initialised", "1.250 s: tracking, map 0",
-                                   "2.000 s: carried on", "2.000 s: optimised"));
+              ::testing::ElementsAre("1.000 s: initialised", "1.250 s: tracking, map 0",
+                                     "2.000 s: carried on", "2.000 s: optimised"));
   EXPECT_EQ(results.false_starts, 0);
   ASSERT_EQ(results.beliefs.size(), 1U);
   EXPECT_EQ(results.beliefs[0].t, Time::FromSeconds(12.0));

@@ -3,15 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/scenarios/results/estimates.h"
+
 namespace drydock {
 namespace {
 
-NavEstimate Estimate(TrackingStatus status, int map_id) {
-  NavEstimate estimate;
-  estimate.status = status;
-  estimate.map_id = map_id;
-  return estimate;
-}
+using testing::Estimate;
 
 TEST(EventLog, NotesChangesWithTheTimeSinceTheStart) {
   const Time start = Time::FromSeconds(1'600'000'000.0);
@@ -25,9 +22,9 @@ TEST(EventLog, NotesChangesWithTheTimeSinceTheStart) {
   log.Look(at(2.25), Estimate(TrackingStatus::kTracking, 1));
   log.Look(at(3.0), Estimate(TrackingStatus::kDeadReckoning, 1));
   EXPECT_THAT(log.Take(),
-              testing::ElementsAre("0.000 s: initialising, map 0", "1.000 s: tracking, map 0",
-                                   "2.000 s: lost, map 0", "2.250 s: tracking, map 1",
-                                   "3.000 s: dead reckoning, map 1"));
+              ::testing::ElementsAre("0.000 s: initialising, map 0", "1.000 s: tracking, map 0",
+                                     "2.000 s: lost, map 0", "2.250 s: tracking, map 1",
+                                     "3.000 s: dead reckoning, map 1"));
 }
 
 TEST(EventLog, PutsMessagesAmongTheChangesByTheirTimes) {
@@ -36,7 +33,7 @@ TEST(EventLog, PutsMessagesAmongTheChangesByTheirTimes) {
   log.Look(Time::FromSeconds(3.0), Estimate(TrackingStatus::kTracking, 0));
   log.Note({Time::FromSeconds(3.0), "initialised from gravity"});
   log.Note({Time::FromSeconds(2.0), "two stamps refused"});
-  EXPECT_THAT(log.Take(), testing::ElementsAre(
+  EXPECT_THAT(log.Take(), ::testing::ElementsAre(
                               "1.000 s: initialising, map 0", "2.000 s: two stamps refused",
                               "3.000 s: tracking, map 0", "3.000 s: initialised from gravity"));
 }

@@ -2,15 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scenarios/results/estimates.h"
+
 namespace drydock {
 namespace {
 
-NavEstimate Estimate(TrackingStatus status, int map_id) {
-  NavEstimate estimate;
-  estimate.status = status;
-  estimate.map_id = map_id;
-  return estimate;
-}
+using testing::Estimate;
 
 TEST(StartWatch, CountsStartsThatAreGivenUpSoon) {
   StartWatch starts;

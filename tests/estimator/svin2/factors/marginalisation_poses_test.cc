@@ -11,6 +11,7 @@
 #include "estimator/svin2/factors/reprojection_factor.h"
 #include "sensors_models/base/random_stream.h"
 #include "tests/estimator/svin2/factors/factor_check.h"
+#include "tests/estimator/svin2/synthetic_stereo.h"
 
 namespace drydock::svin2 {
 namespace {
@@ -21,22 +22,9 @@ using testing::Block;
 
 constexpr std::size_t kPoses = 3, kLandmarks = 8;
 
-CameraModel Camera() {
-  CameraIntrinsics camera;
-  camera.width = 800;
-  camera.height = 600;
-  camera.fx = camera.fy = 575.0;
-  camera.cx = 400.0;
-  camera.cy = 300.0;
-  camera.distortion = {-0.16, 0.102, 0.001, -0.002};
-  return CameraModel(camera);
-}
+CameraModel Camera() { return CameraModel(testing::SyntheticStereo().cameras[0]); }
 
-Pose Extrinsics(std::size_t camera) {
-  Eigen::Matrix3d R_IC;
-  R_IC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return {Eigen::Quaterniond(R_IC), {0.04, camera == 0 ? 0.071 : -0.071, -0.005}};
-}
+Pose Extrinsics(std::size_t camera) { return testing::SyntheticStereo().T_IC[camera]; }
 
 /// Blocks: the poses, then the landmarks. Every landmark is seen by both eyes from every pose.
 struct Chain {

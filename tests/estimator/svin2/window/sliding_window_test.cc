@@ -22,7 +22,7 @@ Time FrameTime(int k) { return Time{} + Duration{k * kFramePeriod.ns}; }
 class WindowRun {
  public:
   explicit WindowRun(int landmarks = 300, double sigma_px = 0.0, const WindowConfig& config = {})
-      : tracks(landmarks, sigma_px), window(config, StereoGeometry(SyntheticStereo())) {}
+      : tracks(landmarks, sigma_px), window(config, StereoGeometry(testing::SyntheticStereo())) {}
 
   void Start(const NavState& state) { window.Start(state, {}, See(0)); }
 
@@ -54,8 +54,6 @@ class WindowRun {
   double PositionError(int k) const {
     return (window.Latest().T_WI.p() - testing::MotionAt(FrameTime(k)).T_WI.p()).norm();
   }
-
-  static StereoSheet SyntheticStereo() { return testing::SyntheticStereo(); }
 
   testing::SyntheticTracks tracks;
   SlidingWindow window;
