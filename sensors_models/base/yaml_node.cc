@@ -25,6 +25,45 @@ constexpr std::size_t kMaxKeys = 10'000;
 /// Anchors can make a small text into a huge tree: a tree that is larger than this is refused.
 constexpr int kMaxNodes = 200'000;
 
+/// How many bytes the UTF-8 character takes that `text` begins with; 0 if it is none.
+std::size_t LengthOfCharacter(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (length == 0 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  return length;
+}
+
+bool IsUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = LengthOfCharacter(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+bool IsControl(char c) {
+  return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+}
+
+/// The line, from 1, of the first byte that no UTF-8 text has, or that a text file does not have;
+/// nothing in a text.
+std::optional<int> FindNotText(std::string_view text) {
+  int line = 1;
+  while (!text.empty()) {
+    const std::size_t length = LengthOfCharacter(text);
+    if (length == 0 || IsControl(text.front())) return line;
+    if (text.front() == '\n') ++line;
+    text.remove_prefix(length);
+  }
+  return std::nullopt;
+}
+
 class Converter {
  public:
   explicit Converter(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}
@@ -40,7 +79,7 @@ class Converter {
         break;
       case YAML::NodeType::Scalar:
         to.kind = YamlNode::Kind::kScalar;
-        to.text = from.Scalar();
+        to.text = TextOf(from, to.place);
         to.quoted = from.Tag() == "!";
         break;
       case YAML::NodeType::Sequence:
@@ -55,12 +94,20 @@ class Converter {
   }
 
  private:
+  /// yaml-cpp makes a single byte of each of two escapes, which is no character.
+  static const std::string& TextOf(const YAML::Node& scalar, const SourcePlace& place) {
+    RequireInput(IsUtf8(scalar.Scalar()),
+                 "{}: the escapes \\N and \\_ are not supported; write \\u0085 and \\u00a0",
+                 place.ToString());
+    return scalar.Scalar();
+  }
+
   void ConvertMap(const YAML::Node& from, int depth, YamlNode& to) {
     to.kind = YamlNode::Kind::kMap;
     for (const auto& member : from) {
       const SourcePlace place{file_, member.first.Mark().line + 1};
       RequireInput(member.first.IsScalar(), "{}: a key must be plain text", place.ToString());
-      const std::string& key = member.first.Scalar();
+      const std::string& key = TextOf(member.first, place);
       RequireInput(!key.empty(), "{}: a key must not be empty", place.ToString());
       RequireInput(to.members.size() < kMaxKeys, "{}: a mapping of more than {} keys",
                    place.ToString(), kMaxKeys);
@@ -183,32 +230,6 @@ YAML::Node LoadDocument(std::string_view text, const std::string& place) {
   const int count = CountDocuments(ended);
   RequireInput(count < 2, "{}: holds more than one YAML document, or text outside of it", place);
   return count == 0 ? YAML::Node(YAML::NodeType::Undefined) : YAML::Load(ended);
-}
-
-/// How many bytes the UTF-8 character takes that `text` begins with; 0 if it is none, or one that a
-/// text does not have.
-std::size_t LengthOfCharacter(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  if (length == 0 || first > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  return length;
-}
-
-/// The line, from 1, of the first byte that no UTF-8 text has; nothing in a text.
-std::optional<int> FindNotText(std::string_view text) {
-  int line = 1;
-  while (!text.empty()) {
-    const std::size_t length = LengthOfCharacter(text);
-    if (length == 0) return line;
-    if (text.front() == '\n') ++line;
-    text.remove_prefix(length);
-  }
-  return std::nullopt;
 }
 
 YamlNode ParseValue(std::string_view text, const SourcePlace& place) {

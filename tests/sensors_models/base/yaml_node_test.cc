@@ -123,6 +123,17 @@ TEST(ParseYaml, RefusesWhatIsNotUtf8) {
   }
 }
 
+TEST(ParseYaml, RefusesEscapesThatMakeNoCharacter) {
+  for (const std::string_view bad : {"b: \"x\\N\"", "b: [\"\\_x\"]", "\"\\N\": 1"}) {
+    EXPECT_THAT(ParseMessage("a: 1\n" + std::string(bad)),
+                HasSubstr("f.yaml:2: the escapes \\N and \\_ are not supported"))
+        << bad;
+  }
+  const YamlNode root = ParseYaml(R"(a: "\u0085\u00a0\L")", "f.yaml");
+  EXPECT_EQ(root.Find("a")->text, "\xc2\x85\xc2\xa0\xe2\x80\xa8");
+  EXPECT_TRUE(SameTree(ParseYaml(EmitYaml(root), "e.yaml"), root)) << EmitYaml(root);
+}
+
 TEST(ParseYaml, RefusesMappingsThatTakeForEver) {
   std::string text;
   for (int i = 0; i <= 10'000; ++i) text += "k" + std::to_string(i) + ": 1\n";
