@@ -48,11 +48,12 @@ class PoseGraph {
   /// Position in nodes() of the node with this index; std::logic_error if there is none.
   std::size_t PositionOf(std::int64_t index) const;
 
+  /// What takes odometry's frame to the graph's at a node, by its position.
+  Pose CorrectionOf(std::size_t node) const;
   /// What takes odometry's frame to the graph's, for the newest node and all that follow it.
   Pose T_GW() const;
 
  private:
-  Pose CorrectionOf(std::size_t node) const;
   void CarryAlong(std::size_t first);
 
   std::vector<PoseGraphNode> nodes_;
