@@ -26,7 +26,7 @@ std::int64_t Apart(std::size_t a, std::size_t b) {
 double LoopConsistency::Weight(const Loop& loop) const {
   // Between pieces odometry speaks neither for the loop nor against it.
   const double chi2 = loop.chi2.value_or(0.5 * config_.max_chi2);
-  return (config_.max_chi2 - chi2) / std::sqrt(loop.sightings);
+  return (config_.max_chi2 - chi2) / std::pow(loop.sightings, 0.9);
 }
 
 bool LoopConsistency::SeeTheSame(const Loop& a, const Loop& b) const {
@@ -96,8 +96,7 @@ std::vector<bool> LoopConsistency::HeavierSide() const {
   while (true) {
     std::optional<std::size_t> worst;
     for (std::size_t k = 0; k < count; ++k)
-      if (in_conflict(k) && (!worst || against[k] - weight[k] >= against[*worst] - weight[*worst]))
-        worst = k;
+      if (in_conflict(k) && (!worst || against[k] >= against[*worst])) worst = k;
     if (!worst) break;
     kept[*worst] = false;
     for (const std::size_t other : loops_[*worst].conflicts) against[other] -= weight[*worst];

@@ -17,8 +17,9 @@ namespace drydock::svin2 {
 /// the drift from the one's ends to the other's, which is little where they are near each other.
 ///
 /// Of loops that are at odds the heavier side is believed. A loop weighs (max - chi2 against
-/// odometry) / sqrt(n), where n loops, itself one, agree and see the same place: a thing that looks
-/// like another is seen as often as the body passes it, so n sightings count as sqrt(n).
+/// odometry) / n^0.9, where n loops, itself one, agree and see the same place. A thing that looks
+/// like another is seen as often as the body passes it, so n sightings weigh little more than one:
+/// n^0.1.
 class LoopConsistency {
  public:
   explicit LoopConsistency(const LoopCheckConfig& config) : config_(config) {}
