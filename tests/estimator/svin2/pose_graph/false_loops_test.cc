@@ -1,6 +1,5 @@
 // Loop closing under false loops and under large drift, on a dive of two laps.
 #include <algorithm>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -67,7 +66,6 @@ TEST(FalseLoops, TrueOnesAreBelievedAndTakeDriftAway) {
     const Outcome outcome = Close(dive, dive.TrueLoops(110, 200, 9));
     EXPECT_EQ(outcome.Believed(), 10) << seed;
     EXPECT_LT(outcome.ate, outcome.ate_odometry) << seed;
-    RecordProperty("seed_" + std::to_string(seed), std::to_string(outcome.ate));
   }
 }
 
