@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scenes/bus/bus_scene.h"
+#include "scenes/columns/columns_scene.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 
@@ -14,6 +15,11 @@ std::vector<SceneEntry> Scenes() {
       {"bus", "a school bus on a silty lake bed, open at the back, that can be passed through",
        bus::kBusVersion,
        [](std::uint64_t seed, const fs::path& directory) { bus::GenerateBus(seed, directory); }},
+      {"columns", "rows of standing stones on sand that look alike, to try place recognition",
+       columns::kColumnsVersion,
+       [](std::uint64_t seed, const fs::path& directory) {
+         columns::GenerateColumns(seed, directory);
+       }},
   };
 }
 

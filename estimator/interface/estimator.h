@@ -44,6 +44,12 @@ struct LoopClosure {
   Pose T_then_now;  ///< Maps points of the body now into the body then.
 };
 
+/// What an estimator knows of its surroundings [m, in W of Corrected()].
+struct EstimatedMap {
+  std::vector<Eigen::Vector3d> landmarks;  ///< Points that the cameras saw.
+  std::vector<Eigen::Vector3d> sonar;      ///< Echoes of the sonar.
+};
+
 /// What an estimator wants to say of itself: initialised and from what, lost, recovered, how many
 /// stamps it refused.
 struct EstimatorEvent {
@@ -72,8 +78,7 @@ class Estimator {
   /// The best that is known now of the whole way; by default the odometry.
   virtual Trajectory Corrected() const { return Odometry(); }
   virtual std::vector<LoopClosure> Loops() const { return {}; }
-  /// Points of the map [m, in W].
-  virtual std::vector<Eigen::Vector3d> Map() const { return {}; }
+  virtual EstimatedMap Map() const { return {}; }
 
   /// What has happened since the last call. Asked for after each Add() and after Finish().
   virtual std::vector<EstimatorEvent> TakeEvents() { return {}; }

@@ -21,6 +21,7 @@ constexpr const char* kColumns[] = {
     "rpe_5m_percent", "final_drift_percent", "yaw_error_deg",
     "z_rmse_m",       "continuity_percent",  "init_time_s",
     "anees_position", "anees_orientation",   "loops_found",
+    "loop_precision", "loop_recall",
 };
 
 /// Characters that a terminal shows of UTF-8 text.

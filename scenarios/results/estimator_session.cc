@@ -19,8 +19,14 @@ Results EstimatorSession::Finish() {
     estimator_->Finish();
   }
   Listen();
-  return {estimator_->Odometry(), estimator_->Corrected(), estimator_->Loops(),  log_.Take(),
-          estimator_->Timings(),  std::move(beliefs_),     starts_.FalseStarts()};
+  return {estimator_->Odometry(),
+          estimator_->Corrected(),
+          estimator_->Loops(),
+          estimator_->Map(),
+          log_.Take(),
+          estimator_->Timings(),
+          std::move(beliefs_),
+          starts_.FalseStarts()};
 }
 
 void EstimatorSession::Look(Time t) {

@@ -9,6 +9,7 @@
 #include "scenarios/dataset/tum.h"
 #include "scenarios/report/trajectory_plot.h"
 #include "scenarios/scoring/json.h"
+#include "scenarios/scoring/loops.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 
@@ -28,6 +29,18 @@ std::string LoopsCsv(const std::vector<LoopClosure>& loops) {
   return csv;
 }
 
+void FillLoops(const Trajectory& truth, const std::vector<LoopClosure>& closures,
+               score::Metrics& metrics) {
+  std::vector<score::Loop> loops;
+  loops.reserve(closures.size());
+  for (const LoopClosure& closure : closures)
+    loops.push_back({closure.t_now, closure.t_then, closure.T_then_now});
+  const score::LoopScore score = score::ScoreLoops(truth, loops);
+  metrics.loops_found = static_cast<double>(loops.size());
+  metrics.loop_precision = score.PrecisionPercent();
+  metrics.loop_recall = score.RecallPercent();
+}
+
 /// `trajectory` where the scorecard's alignment puts it upon the truth.
 Trajectory Aligned(Trajectory trajectory, const score::Scorecard& card) {
   if (!card.alignment) return trajectory;
@@ -44,6 +57,7 @@ score::Metrics KnownMetrics(const Trajectory& truth, const Results& results) {
     metrics.anees_orientation = anees->orientation;
   }
   if (results.false_starts) metrics.false_starts = *results.false_starts;
+  FillLoops(truth, results.loops, metrics);
   return metrics;
 }
 

@@ -18,13 +18,14 @@ struct Results {
   Trajectory odometry;   ///< As published at the time.
   Trajectory corrected;  ///< As known in the end.
   std::vector<LoopClosure> loops;
+  EstimatedMap map;  ///< In the W of `corrected`.
   std::vector<std::string> events;
   EstimatorTimings stages;
   std::vector<score::Belief> beliefs;  ///< Published poses that came with a covariance.
   std::optional<int> false_starts;     ///< Nothing if the estimator never started.
 };
 
-/// The metrics that need more than trajectories.
+/// The metrics that need more than trajectories, but no more than the true one to judge by.
 score::Metrics KnownMetrics(const Trajectory& truth, const Results& results);
 
 /// Writes odometry.tum, trajectory.tum, loops.csv and events.log into `folder`.

@@ -25,6 +25,7 @@ class Dive {
 
   Time End() const { return end_; }
   const sim::Motion& motion() const { return motion_; }
+  const sim::RayScene& rays() const { return rays_; }
   const Rig& rig() const { return rig_; }
   /// "egl", "osmesa", or "none" without a camera.
   std::string RendererName() const;

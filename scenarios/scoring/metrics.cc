@@ -26,10 +26,10 @@ constexpr std::array kMetrics = std::to_array<MetricInfo>({
     {"ate_after_fault_m", "m", Better::kLower, "as ate_rmse_m, of the poses after the last fault has ended", &Metrics::ate_after_fault_m},
     {"recovery_time_s", "s", Better::kLower, "from the end of the last fault to the next odometry", &Metrics::recovery_time_s},
     {"loops_found", "", Better::kHigher, "loops that were closed", &Metrics::loops_found},
-    {"loop_precision", "", Better::kHigher, "share of the closed loops within 0.25 m and 5 deg of the truth", &Metrics::loop_precision},
-    {"loop_recall", "", Better::kHigher, "share of the revisits at which a true loop was closed", &Metrics::loop_recall},
-    {"sonar_map_rmse_m", "m", Better::kLower, "RMS distance of the sonar map to the true surfaces", &Metrics::sonar_map_rmse_m},
-    {"landmark_map_rmse_m", "m", Better::kLower, "RMS distance of the landmarks to the true surfaces", &Metrics::landmark_map_rmse_m},
+    {"loop_precision", "%", Better::kHigher, "share of the closed loops within 0.25 m + 5 % and 5 deg of the truth; 100 of none", &Metrics::loop_precision},
+    {"loop_recall", "%", Better::kHigher, "share of the places swum by again (0.5 m apart) at which a true loop was closed", &Metrics::loop_recall},
+    {"sonar_map_rmse_m", "m", Better::kLower, "RMS distance of the sonar map to the true surfaces, 1 m at most each", &Metrics::sonar_map_rmse_m},
+    {"landmark_map_rmse_m", "m", Better::kLower, "RMS distance of the landmarks to the true surfaces, 1 m at most each", &Metrics::landmark_map_rmse_m},
 });
 // clang-format on
 

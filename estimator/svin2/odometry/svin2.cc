@@ -330,8 +330,10 @@ void Svin2::Publish() {
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});
 }
 
-std::vector<Eigen::Vector3d> Svin2::Map() const {
-  return window_ ? window_->LandmarkPositions() : std::vector<Eigen::Vector3d>{};
+EstimatedMap Svin2::Map() const {
+  EstimatedMap map;
+  if (window_) map.landmarks = window_->LandmarkPositions();
+  return map;
 }
 
 void Svin2::Say(Time t, std::string message) { events_.push_back({t, std::move(message)}); }

@@ -36,7 +36,8 @@ class Svin2 final : public Estimator {
 
   std::optional<NavEstimate> Latest() const override { return latest_; }
   const Trajectory& Odometry() const override { return odometry_; }
-  std::vector<Eigen::Vector3d> Map() const override;
+  /// The landmarks of the window.
+  EstimatedMap Map() const override;
   std::vector<EstimatorEvent> TakeEvents() override;
   EstimatorTimings Timings() const override { return clock_.Summary(); }
 

@@ -30,6 +30,8 @@ class Talker final : public Estimator {
     return estimate;
   }
   const Trajectory& Odometry() const override { return odometry_; }
+  std::vector<LoopClosure> Loops() const override { return {{Time{9}, Time{4}, Pose()}}; }
+  EstimatedMap Map() const override { return {{{1.0, 2.0, 3.0}}, {{4.0, 5.0, 6.0}}}; }
   std::vector<EstimatorEvent> TakeEvents() override { return std::exchange(events_, {}); }
   EstimatorTimings Timings() const override { return {{"talking", odometry_.size(), 0.5, 2., 3.}}; }
 
@@ -51,6 +53,10 @@ TEST(EstimatorSession, KeepsWhatTheEstimatorSays) {
               ::testing::ElementsAre("1.000 s: initialised", "1.250 s: tracking, map 0",
                                      "2.000 s: carried on", "2.000 s: optimised"));
   EXPECT_EQ(results.false_starts, 0);
+  ASSERT_EQ(results.loops.size(), 1U);
+  EXPECT_EQ(results.loops[0].t_then, Time{4});
+  EXPECT_THAT(results.map.landmarks, ::testing::ElementsAre(Eigen::Vector3d(1.0, 2.0, 3.0)));
+  EXPECT_THAT(results.map.sonar, ::testing::ElementsAre(Eigen::Vector3d(4.0, 5.0, 6.0)));
   ASSERT_EQ(results.beliefs.size(), 1U);
   EXPECT_EQ(results.beliefs[0].t, Time::FromSeconds(12.0));
   EXPECT_EQ(StagesJson(results.stages).dump(),

@@ -31,5 +31,21 @@ TEST(ResultFiles, WritesWhatTheEstimatorSaid) {
   EXPECT_TRUE(ReadFile(folder.path() / "loops.csv").ends_with("]\n9,4,1,-2,0.5,1,0,0,0\n"));
 }
 
+TEST(KnownMetrics, JudgeTheLoops) {
+  Trajectory truth;  // 1 m/s along x.
+  for (int i = 0; i <= 50; ++i)
+    truth.push_back({Time::FromSeconds(i), Pose(Eigen::Quaterniond::Identity(), {1.0 * i, 0, 0})});
+  Results results;
+  const auto loop = [](double x) {
+    return LoopClosure{Time::FromSeconds(30), Time::FromSeconds(5),
+                       Pose(Eigen::Quaterniond::Identity(), {x, 0.0, 0.0})};
+  };
+  results.loops = {loop(25.0), loop(3.0)};
+  const score::Metrics metrics = KnownMetrics(truth, results);
+  EXPECT_EQ(metrics.loops_found, 2.0);
+  EXPECT_EQ(metrics.loop_precision, 50.0);
+  EXPECT_FALSE(metrics.loop_recall);
+}
+
 }  // namespace
 }  // namespace drydock

@@ -1,8 +1,11 @@
 #include "scenarios/runner/dive.h"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scenarios/scoring/loops.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/resources.h"
 
@@ -24,7 +27,29 @@ void ExpectRefused(const std::vector<std::string>& overrides, const std::string&
   }
 }
 
-TEST(Dive, TheBusPathIsFree) { EXPECT_NO_THROW(Dive(Bus(), sim::RendererBackend::kAuto)); }
+TEST(Dive, EveryShippedPathIsFree) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(DataDirectory() / "scenarios")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Scenario scenario = LoadScenario(entry.path(), {"sensors={stereo: {enabled: false}}"});
+    EXPECT_NO_THROW(Dive(scenario, sim::RendererBackend::kAuto)) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 4);
+}
+
+std::size_t RevisitsOf(const std::string& name) {
+  const Scenario scenario =
+      LoadScenario(DataDirectory() / "scenarios" / name, {"sensors={stereo: {enabled: false}}"});
+  const Dive dive(scenario, sim::RendererBackend::kAuto);
+  return score::ScoreLoops(dive.Truth(), {}).revisits;
+}
+
+TEST(Dive, PlacesAreSeenAgainWhereTheyAreMeantToBe) {
+  EXPECT_GT(RevisitsOf("bus_twice.yaml"), 200U);
+  EXPECT_GE(RevisitsOf("bus_return.yaml"), 3U);
+  EXPECT_EQ(RevisitsOf("columns.yaml"), 0U);
+}
 
 TEST(Dive, APathIntoTheBusIsRefused) {
   ExpectRefused({"motion.waypoints.3.position_m=[7, -2.5, 0]"}, "comes within");

@@ -85,7 +85,7 @@ TEST(Svin2, FollowsTheTruthFromAKnownStart) {
   ASSERT_TRUE(dive.estimator->Latest().has_value());
   EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kTracking);
   EXPECT_TRUE(dive.estimator->Latest()->pose_covariance.has_value());
-  EXPECT_FALSE(dive.estimator->Map().empty());
+  EXPECT_FALSE(dive.estimator->Map().landmarks.empty());
   EXPECT_EQ(dive.said, "");
 }
 

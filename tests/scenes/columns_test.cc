@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "scenes/columns/columns_scene.h"
+#include "scenes/columns/sand.h"
+#include "scenes/columns/stones.h"
+#include "scenes/columns/textures.h"
+#include "sensors_models/base/files.h"
+
+namespace drydock::scenes::columns {
+namespace {
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+
+constexpr std::uint64_t kSeed = 1;
+
+std::map<std::string, std::string> FilesOf(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = ReadFile(entry.path());
+  }
+  return files;
+}
+
+/// The parts of the standing stones by their bodies.
+std::map<std::string, Mesh> StonesOf(const SceneModel& model) {
+  std::map<std::string, Mesh> stones;
+  for (const Part& part : model.parts()) {
+    if (part.body != "sand" && !part.body.starts_with("rubble"))
+      stones[part.body].Append(part.mesh);
+  }
+  return stones;
+}
+
+TEST(ColumnsScene, SameSeedGivesTheSameBytes) {
+  const fs::path base = fs::path(testing::TempDir()) / "drydock_columns_test";
+  fs::remove_all(base);
+  GenerateColumns(kSeed, base / "a", 0.1);
+  GenerateColumns(kSeed, base / "b", 0.1);
+  GenerateColumns(kSeed + 1, base / "c", 0.1);
+  const auto a = FilesOf(base / "a");
+  const auto b = FilesOf(base / "b");
+  const auto c = FilesOf(base / "c");
+  fs::remove_all(base);
+  EXPECT_TRUE(a.contains("scene.xml"));
+  EXPECT_TRUE(a == b);
+  EXPECT_FALSE(a.at("textures/stone.png") == c.at("textures/stone.png"));
+}
+
+TEST(ColumnsScene, EveryMaterialIsPaintedAndEveryPictureUsed) {
+  const SceneModel model = BuildColumnsModel(kSeed);
+  std::set<std::string> used;
+  for (const Part& part : model.parts()) used.insert(part.material);
+  std::set<std::string> painted;
+  for (const TextureTask& task : TextureTasks()) painted.insert(task.name);
+  EXPECT_EQ(used, painted);
+}
+
+TEST(ColumnsScene, MeshesAreSoundAndNotTooMany) {
+  const SceneModel model = BuildColumnsModel(kSeed);
+  std::set<std::string> geoms;
+  for (const Part& part : model.parts()) {
+    EXPECT_TRUE(geoms.insert(part.geom).second) << part.geom << " twice";
+    const Mesh& mesh = part.mesh;
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << part.geom;
+    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size()) << part.geom;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      ASSERT_TRUE(mesh.positions[i].allFinite() && mesh.uvs[i].allFinite()) << part.geom;
+      ASSERT_NEAR(mesh.normals[i].norm(), 1.0, 1e-6) << part.geom;
+    }
+  }
+  EXPECT_LT(model.CountTriangles(), 60000U);
+}
+
+TEST(ColumnsScene, ShapesAreClosed) {
+  for (const auto& make : {MakeColumn, MakePillar, MakeStele}) {
+    Mesh all;
+    for (const auto& [material, mesh] : make()) all.Append(mesh);
+    EXPECT_EQ(CountOpenEdges(all), 0U);
+    EXPECT_GT(EnclosedVolume(all), 0.2);
+    double top = 0.0;
+    for (const Vector3d& p : all.positions) top = std::max(top, p.z());
+    EXPECT_GT(top, 1.4);
+    EXPECT_LT(top, 1.8);
+  }
+}
+
+// Look-alikes: within a shape all copies have the same picture on the same corners and the same
+// size within a few percent, but no two are the same.
+TEST(ColumnsScene, StonesOfAShapeDifferLittle) {
+  const auto stones = StonesOf(BuildColumnsModel(kSeed));
+  EXPECT_EQ(stones.size(), static_cast<std::size_t>(kRows * kStonesARow));
+  std::map<std::string, std::vector<const Mesh*>> shapes;
+  for (const auto& [name, mesh] : stones) shapes[name.substr(0, name.find('_'))].push_back(&mesh);
+  ASSERT_EQ(shapes.size(), 3U);
+  for (const auto& [shape, copies] : shapes) {
+    ASSERT_GE(copies.size(), 8U) << shape;
+    std::set<double> volumes;
+    for (const Mesh* copy : copies) {
+      EXPECT_EQ(copy->uvs, copies.front()->uvs) << shape;
+      const double scale = std::cbrt(EnclosedVolume(*copy) / EnclosedVolume(*copies.front()));
+      EXPECT_NEAR(scale, 1.0, 0.12) << shape;
+      EXPECT_TRUE(volumes.insert(EnclosedVolume(*copy)).second) << shape;
+    }
+  }
+}
+
+TEST(ColumnsScene, StonesStandInTheSandAndLeaveTheLanesFree) {
+  const Sand sand(kSeed);
+  for (const auto& [name, mesh] : StonesOf(BuildColumnsModel(kSeed))) {
+    double lowest = 1e9;
+    double highest = -1e9;
+    for (const Vector3d& p : mesh.positions) {
+      lowest = std::min(lowest, p.z() - sand.Height(p.x(), p.y()));
+      highest = std::max(highest, p.z() - sand.Height(p.x(), p.y()));
+      const double from_lane = std::abs(std::remainder(p.y(), kRowSpacing));
+      EXPECT_GT(from_lane, 0.9) << name;
+    }
+    EXPECT_LT(lowest, 0.0) << name;
+    EXPECT_GT(highest, 1.2) << name;
+  }
+}
+
+TEST(ColumnsTextures, SandAndStoneMeetThemselves) {
+  for (const TextureTask& task : TextureTasks()) {
+    if (task.name == "inscription") continue;
+    const cv::Mat3b image = task.paint(kSeed, 0.5);
+    const auto step = [](const cv::Mat& a, const cv::Mat& b) {
+      return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(3 * a.total());
+    };
+    const int last = image.cols - 1;
+    EXPECT_LT(step(image.col(0), image.col(last)), 2.0 * step(image.col(99), image.col(100)));
+    EXPECT_LT(step(image.row(0), image.row(last)), 2.0 * step(image.row(99), image.row(100)));
+  }
+}
+
+TEST(ColumnsTextures, HaveContrastFromMillimetresToDecimetres) {
+  for (const TextureTask& task : TextureTasks()) {
+    cv::Mat1b grey;
+    cv::cvtColor(task.paint(kSeed, 0.5), grey, cv::COLOR_RGB2GRAY);
+    for (int octave = 0; octave < 5 && std::min(grey.rows, grey.cols) > 40; ++octave) {
+      cv::Mat1f x;
+      cv::Sobel(grey, x, CV_32F, 1, 0, 3, 0.125);
+      EXPECT_GT(cv::mean(cv::abs(x))[0], 1.0) << task.name << ", octave " << octave;
+      cv::resize(grey, grey, {grey.cols / 2, grey.rows / 2}, 0, 0, cv::INTER_AREA);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace drydock::scenes::columns
