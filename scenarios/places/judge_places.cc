@@ -83,9 +83,8 @@ class Judge {
                         judging_);
     };
     if (!candidates.empty()) Count(relation(candidates.front()), result_.best);
-    for (const auto& match : consistency_.Update(candidates)) {
-      Count(relation(match), result_.consistent);
-    }
+    const auto consistent = consistency_.Update(candidates);
+    if (!consistent.empty()) Count(relation(consistent.front()), result_.consistent);
   }
 
   const svin2::Vocabulary& vocabulary_;

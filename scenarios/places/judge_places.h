@@ -34,7 +34,7 @@ struct PlaceJudgement {
   std::vector<double> neighbours;   ///< Scores of each keyframe with the one before it, rising.
   int revisits = 0;                 ///< Keyframes of which an earlier one shows the same place.
   CandidateCount best;              ///< The best candidate of each keyframe by the rule.
-  CandidateCount consistent;        ///< And what passes the temporal filter.
+  CandidateCount consistent;        ///< The best that also passes the temporal filter.
 };
 
 /// Goes through the keyframes of one dive as loop closing does.
