@@ -57,6 +57,11 @@ class CheckLayersTest(unittest.TestCase):
                 self.assert_refused("estimator/svin2/bad.cc", f"<{target}>",
                                     f"estimator/ may not include {library}")
 
+    def test_only_the_vocabulary_unpacks(self):
+        file = "estimator/svin2/vocabulary/file.cc"
+        self.assertEqual(check({file: "#include <zlib.h>\n"})[0], 0)
+        self.assert_refused("estimator/svin2/bad.cc", "<zlib.h>", "estimator/ may not include zlib")
+
     def test_sensors_models_look_down_only(self):
         self.assert_refused("sensors_models/measurement/bad.h", '"sensors_models/noise/imu.h"',
                             "sensors_models/measurement/ may not include")

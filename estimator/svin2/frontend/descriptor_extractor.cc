@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,12 +43,6 @@ double BoxMean(const cv::Mat& integral, const Eigen::Vector2d& pixel, double hal
 }
 
 }  // namespace
-
-int HammingDistance(const Descriptor& a, const Descriptor& b) {
-  int distance = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) distance += std::popcount(a[i] ^ b[i]);
-  return distance;
-}
 
 std::optional<double> GravityAngle(const CameraModel& camera, const Eigen::Vector2d& pixel,
                                    const Eigen::Vector3d& gravity_C) {

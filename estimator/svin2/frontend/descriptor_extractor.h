@@ -2,22 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
+#include "estimator/svin2/frontend/descriptor.h"
 #include "sensors_models/models/camera_model.h"
 
 namespace drydock::svin2 {
-
-/// 512 bits of BRISK (Leutenegger, Chli and Siegwart 2011).
-using Descriptor = std::array<std::uint64_t, 8>;
-
-/// The number of bits that differ, 0 to 512.
-int HammingDistance(const Descriptor& a, const Descriptor& b);
 
 /// The direction in the image, as an angle from x towards y [rad], into which the camera sees a
 /// point at `pixel` move as it falls along `gravity_C` (any length, pointing down, in C). Nothing

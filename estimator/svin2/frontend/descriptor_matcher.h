@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimator/svin2/frontend/descriptor_extractor.h"
+#include "estimator/svin2/frontend/descriptor.h"
 
 namespace drydock::svin2 {
 

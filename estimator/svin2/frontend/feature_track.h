@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "estimator/svin2/frontend/descriptor_extractor.h"
+#include "estimator/svin2/frontend/descriptor.h"
 #include "estimator/svin2/frontend/patch_template.h"
 #include "estimator/svin2/frontend/tracked_frame.h"
 

@@ -106,7 +106,10 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
   frame = Report(t);
   frame.tracked = tracked;
   frame.is_keyframe = is_due && keyframes_.Keep(frame.points);
-  if (frame.is_keyframe && config_.matching != Matching::kPatches) memory_.Keep(tracks_);
+  if (frame.is_keyframe && config_.matching != Matching::kPatches) {
+    memory_.Keep(tracks_);
+    ReportDescriptors(frame.points);
+  }
   return frame;
 }
 
@@ -311,6 +314,11 @@ TrackedFrame FeatureTracker::Report(Time t) const {
   }
   frame.empty_quadrants = EmptyQuadrants(tracks_, geometry_.camera(0).intrinsics());
   return frame;
+}
+
+// At keyframes alone: in between, tracks have the descriptors of their last keyframe.
+void FeatureTracker::ReportDescriptors(std::vector<TrackedPoint>& points) const {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].descriptor = tracks_[i].descriptor;
 }
 
 }  // namespace drydock::svin2

@@ -97,6 +97,7 @@ class FeatureTracker {
                                    std::vector<FeatureTrack>& corners) const;
   std::vector<FeatureTrack> NewTracks(const cv::Mat& image) const;
   TrackedFrame Report(Time t) const;
+  void ReportDescriptors(std::vector<TrackedPoint>& points) const;
 
   Config config_;
   StereoGeometry geometry_;

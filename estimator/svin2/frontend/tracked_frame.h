@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimator/svin2/frontend/descriptor.h"
 #include "sensors_models/base/time.h"
 
 namespace drydock::svin2 {
@@ -18,6 +19,8 @@ struct TrackedPoint {
   Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
   std::optional<Eigen::Vector2d> right;            ///< Where stereo found it in this frame.
   double sigma_px = 1.0;                           ///< Standard deviation of each coordinate.
+  /// At keyframes, where the front end describes points and the pattern fits the image.
+  std::optional<Descriptor> descriptor = std::nullopt;
 };
 
 struct TrackedFrame {

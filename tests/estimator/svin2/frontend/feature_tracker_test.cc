@@ -198,6 +198,48 @@ std::size_t ComeBack(Matching matching) {
   return Shared(first, back);
 }
 
+// What places are recognised by: the points that are tracked, as this very frame shows them.
+TEST(FeatureTracker, DescribesPointsAtKeyframes) {
+  FeatureTracker::Config config = Small();
+  config.keyframes.max_gap = 4;
+  Dive dive(config);
+  const DescriptorExtractor extractor({});
+  int keyframes = 0;
+  for (int k = 0; k < 6; ++k) {
+    const TrackedFrame frame = dive.Swim(k);
+    if (!frame.is_keyframe) {
+      for (const TrackedPoint& point : frame.points) EXPECT_FALSE(point.descriptor.has_value());
+      continue;
+    }
+    ++keyframes;
+    Preprocessor preprocessor({});
+    std::vector<Eigen::Vector2d> pixels;
+    for (const TrackedPoint& point : frame.points) pixels.push_back(point.left);
+    const Pose T_WC = PoseAt(k) * dive.wall().geometry().T_IC(0);
+    const Eigen::Vector3d down = k == 0 ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
+                                        : T_WC.q().conjugate() * -Eigen::Vector3d::UnitZ();
+    const auto expected =
+        extractor.Describe(preprocessor.Process(dive.wall().See(PoseAt(k)).images[0]), pixels,
+                           dive.wall().geometry().camera(0), down);
+    int alike = 0, described = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      described += expected[i].has_value() ? 1 : 0;
+      alike += expected[i].has_value() && frame.points[i].descriptor == expected[i] ? 1 : 0;
+    }
+    // Points that were regained at this frame keep their corner's, a fraction of a pixel aside.
+    EXPECT_GE(alike, described * 9 / 10);
+    EXPECT_GE(described, 30);
+  }
+  EXPECT_EQ(keyframes, 2);
+}
+
+TEST(FeatureTracker, PatchesAloneAreNotDescribed) {
+  Dive dive(Small(Matching::kPatches));
+  const TrackedFrame frame = dive.Swim(0);
+  EXPECT_TRUE(frame.is_keyframe);
+  for (const TrackedPoint& point : frame.points) EXPECT_FALSE(point.descriptor.has_value());
+}
+
 TEST(FeatureTracker, DescriptorsRegainOldIds) {
   EXPECT_EQ(ComeBack(Matching::kPatches), 0U);
   EXPECT_GE(ComeBack(Matching::kBoth), 15U);
