@@ -1,0 +1,44 @@
+// What loop closing remembers of a keyframe.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "estimator/svin2/factors/sonar_range_factor.h"
+#include "estimator/svin2/frontend/descriptor_extractor.h"
+#include "estimator/svin2/frontend/tracked_frame.h"
+#include "sensors_models/base/pose.h"
+#include "sensors_models/base/time.h"
+
+namespace drydock::svin2 {
+
+/// A point that the front end tracked into a keyframe.
+struct KeyframePoint {
+  LandmarkId id = 0;
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
+  std::optional<Eigen::Vector2d> right = std::nullopt;
+  double sigma_px = 1.0;  ///< Standard deviation of each coordinate.
+  Descriptor descriptor = {};
+  /// The landmark as the window estimated it [m, in the body's frame at the keyframe].
+  std::optional<Eigen::Vector3d> p_I = std::nullopt;
+};
+
+/// One sonar range that met landmarks of the keyframe.
+struct KeyframePing {
+  /// Its fixed landmarks are in the body's frame at the keyframe, where the window has them in W.
+  SonarRangeObservation observation;
+  std::vector<std::size_t> points;  ///< Indices of the keyframe's points that made its patch.
+};
+
+struct Keyframe {
+  int index = 0;
+  Time t;
+  Pose T_WI;       ///< As odometry has it.
+  int map_id = 0;  ///< Of the odometry's map; poses of different maps do not compare.
+  std::vector<KeyframePoint> points;
+  std::vector<KeyframePing> pings;
+};
+
+}  // namespace drydock::svin2
