@@ -12,6 +12,7 @@
 #include "scenarios/dataset/euroc_reader.h"
 #include "scenarios/dataset/rig_yaml.h"
 #include "scenarios/results/estimator_session.h"
+#include "scenarios/results/realtime_json.h"
 #include "scenarios/results/result_files.h"
 #include "scenarios/results/stages_json.h"
 #include "scenarios/results/stopwatch.h"
@@ -39,6 +40,8 @@ class Player {
  public:
   Player(const fs::path& recording, const ReplayOptions& options)
       : recording_(recording), options_(options) {
+    if (options.realtime)
+      options_.options = OnRobot(FindEstimator(options.estimator), options.options);
     const Stopwatch watch(result_.timings.reading);
     reader_ = std::make_unique<dataset::EurocReader>(recording, options.warn);
     truth_ = reader_->ReadTruth();
@@ -57,8 +60,8 @@ class Player {
     const Results results = Feed(std::move(estimator));
     result_.poses = results.odometry.size();
     WriteResults(output.path(), results);
-    WriteFileAtomically(output.path() / "manifest.json", Manifest().dump(2) + "\n");
-    WriteFileAtomically(output.path() / "timings.json", Timings(results.stages).dump(2) + "\n");
+    WriteFileAtomically(output.path() / "manifest.json", Manifest(results).dump(2) + "\n");
+    WriteFileAtomically(output.path() / "timings.json", Timings(results).dump(2) + "\n");
     if (!truth_.empty()) Score(output.path(), results);
     output.Commit(AtomicDirectory::IfExists::kReplace);
     return std::move(result_);
@@ -120,7 +123,7 @@ class Player {
     const Time start = reader_->ArrivalOf(0);
     const Duration length = reader_->ArrivalOf(reader_->size() - 1) - start;
     result_.timings.recorded = length.Seconds();
-    EstimatorSession session(std::move(estimator), start);
+    EstimatorSession session(std::move(estimator), start, options_.realtime);
     for (std::size_t i = 0; i < reader_->size(); ++i) {
       const Measurement measurement = Read(i);
       session.Add(measurement);
@@ -129,6 +132,7 @@ class Player {
     }
     Results results = session.Finish();
     result_.timings.estimator = session.seconds();
+    result_.realtime = results.realtime;
     return results;
   }
 
@@ -151,12 +155,13 @@ class Player {
                                 EmitYaml(options_.options), dataset::FormatRig(rig_)));
   }
 
-  Json Manifest() const {
+  Json Manifest(const Results& results) const {
     Json manifest;
     manifest["schema"] = 1;
     manifest["version"] = kVersion;
     manifest["commit"] = Commit();
     manifest["config_hash"] = ConfigHash();
+    NoteRealtime(results.realtime, manifest);
     manifest["recording"] = recording_.string();
     manifest["estimator"] = options_.estimator;
     manifest["start_from_truth"] = options_.start_from_truth;
@@ -165,7 +170,7 @@ class Player {
     return manifest;
   }
 
-  Json Timings(const EstimatorTimings& stages) const {
+  Json Timings(const Results& results) const {
     const ReplayTimings& timings = result_.timings;
     const double total = timings.reading + timings.estimator;
     Json json;
@@ -174,12 +179,13 @@ class Player {
     json["reading_s"] = timings.reading;
     json["estimator_s"] = timings.estimator;
     json["real_time_factor"] = total > 0.0 ? Json(timings.recorded / total) : Json(nullptr);
-    json["estimator_stages"] = StagesJson(stages);
+    if (results.realtime) json["realtime"] = RealtimeJson(*results.realtime);
+    json["estimator_stages"] = StagesJson(results.stages);
     return json;
   }
 
   const fs::path recording_;
-  const ReplayOptions& options_;
+  ReplayOptions options_;
   std::unique_ptr<dataset::EurocReader> reader_;
   std::vector<dataset::StampedTruth> truth_;
   Rig rig_;

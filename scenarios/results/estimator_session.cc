@@ -1,32 +1,57 @@
 #include "scenarios/results/estimator_session.h"
 
-#include "scenarios/results/stopwatch.h"
+#include <limits>
 
 namespace drydock {
 
 void EstimatorSession::Add(const Measurement& measurement) {
-  {
-    const Stopwatch watch(seconds_);
-    estimator_->Add(measurement);
+  if (!queue_) {
+    HandOver(measurement, measurement.t_arrival);
+    return;
   }
-  Look(measurement.t_arrival);
-  Listen();
+  WorkUntil(measurement.t_arrival);
+  queue_->Arrive(measurement);
 }
 
 Results EstimatorSession::Finish() {
+  WorkUntil({std::numeric_limits<std::int64_t>::max()});
   {
-    const Stopwatch watch(seconds_);
+    const Stopwatch watch(seconds_, clock_);
     estimator_->Finish();
   }
   Listen();
-  return {estimator_->Odometry(),
-          estimator_->Corrected(),
-          estimator_->Loops(),
-          estimator_->Map(),
-          log_.Take(),
-          estimator_->Timings(),
-          std::move(beliefs_),
-          starts_.FalseStarts()};
+  if (queue_)
+    for (const EstimatorEvent& event : DescribeDrops(queue_->report())) log_.Note(event);
+  Results results{estimator_->Odometry(),
+                  estimator_->Corrected(),
+                  estimator_->Loops(),
+                  estimator_->Map(),
+                  log_.Take(),
+                  estimator_->Timings(),
+                  std::move(beliefs_),
+                  starts_.FalseStarts(),
+                  std::nullopt};
+  if (queue_) results.realtime = queue_->report();
+  return results;
+}
+
+void EstimatorSession::WorkUntil(Time now) {
+  if (!queue_) return;
+  while (const auto turn = queue_->Next(now))
+    queue_->Done(HandOver(turn->measurement, turn->begin));
+}
+
+Time EstimatorSession::HandOver(const Measurement& measurement, Time begin) {
+  double cost = 0.0;
+  {
+    const Stopwatch watch(cost, clock_);
+    estimator_->Add(measurement);
+  }
+  seconds_ += cost;
+  const Time end = queue_ ? begin + Duration::FromSeconds(cost) : begin;
+  Look(end);
+  Listen();
+  return end;
 }
 
 void EstimatorSession::Look(Time t) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "estimator/interface/estimator.h"
+#include "scenarios/results/realtime_queue.h"
 #include "scenarios/scoring/consistency.h"
 #include "scenarios/scoring/scorecard.h"
 
@@ -21,8 +22,9 @@ struct Results {
   EstimatedMap map;  ///< In the W of `corrected`.
   std::vector<std::string> events;
   EstimatorTimings stages;
-  std::vector<score::Belief> beliefs;  ///< Published poses that came with a covariance.
-  std::optional<int> false_starts;     ///< Nothing if the estimator never started.
+  std::vector<score::Belief> beliefs;      ///< Published poses that came with a covariance.
+  std::optional<int> false_starts;         ///< Nothing if the estimator never started.
+  std::optional<RealtimeReport> realtime;  ///< Nothing in lock step.
 };
 
 /// The metrics that need more than trajectories, but no more than the true one to judge by.

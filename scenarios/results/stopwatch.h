@@ -2,21 +2,32 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <utility>
 
 namespace drydock {
 
-/// Adds the wall-clock time of its own life to a sum [s]. Timings are reported, never used.
+/// Gives the seconds since some instant.
+using WallClock = std::function<double()>;
+
+inline double SteadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Adds the wall-clock time of its own life to a sum [s]. Timings are reported and, but for
+/// --realtime, never used.
 class Stopwatch {
  public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  explicit Stopwatch(double& seconds, WallClock clock = SteadySeconds)
+      : seconds_(seconds), clock_(std::move(clock)), start_(clock_()) {}
+  ~Stopwatch() { seconds_ += clock_() - start_; }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
-  using Clock = std::chrono::steady_clock;
   double& seconds_;
-  Clock::time_point start_;
+  WallClock clock_;
+  double start_;
 };
 
 }  // namespace drydock

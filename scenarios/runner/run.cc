@@ -51,13 +51,15 @@ class FrameSampler {
 
 }  // namespace
 
-RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
+RunResult RunScenario(const Scenario& asked, const RunOptions& options) {
+  const Scenario scenario = options.realtime ? WithEstimatorOnRobot(asked) : asked;
   RunResult result;
   RunTimings& timings = result.timings;
   RequireReplaceable(options.output, {"manifest.json"});
   AtomicDirectory output(options.output);
   const std::unique_ptr<Dive> dive = StartDive(scenario, options, timings);
-  EstimatorSession session(StartEstimator(scenario, dive->InitialState()));
+  EstimatorSession session(StartEstimator(scenario, dive->InitialState()), Time{},
+                           options.realtime);
   std::optional<DiveRecorder> recorder;
   if (options.record) recorder.emplace(*dive, output.path() / "dataset");
   FrameSampler sampler(*dive, kSheetFrames);
@@ -81,6 +83,7 @@ RunResult RunScenario(const Scenario& scenario, const RunOptions& options) {
 
   const RunFiles files{dive->Truth(), session.Finish(), sampler.Take()};
   timings.estimator = session.seconds();
+  result.realtime = files.results.realtime;
   result.scorecard = ScoreDive(scenario, *dive, files.truth, files.results);
   WriteRunFiles(output.path(), scenario, *dive, files, result);
   if (recorder) recorder->Commit();

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "scenarios/results/realtime_json.h"
 #include "scenarios/results/stages_json.h"
 #include "scenarios/version/version.h"
 #include "sensors_models/base/check.h"
@@ -22,7 +23,7 @@ void WritePng(const std::filesystem::path& path, const cv::Mat& image) {
   RequireInput(cv::imwrite(path.string(), image), "{}: cannot be written", path.string());
 }
 
-Json Manifest(const Scenario& scenario, const Dive& dive) {
+Json Manifest(const Scenario& scenario, const Dive& dive, const Results& results) {
   Json manifest;
   manifest["schema"] = 1;
   manifest["version"] = kVersion;
@@ -31,11 +32,12 @@ Json Manifest(const Scenario& scenario, const Dive& dive) {
   manifest["renderer"] = dive.RendererName();
   manifest["device"] = dive.DeviceName();
   manifest["config_hash"] = ConfigHash(scenario);
+  NoteRealtime(results.realtime, manifest);
   manifest["scenario"] = EmitYaml(scenario.resolved);
   return manifest;
 }
 
-Json Timings(const RunTimings& timings, const EstimatorTimings& stages) {
+Json Timings(const RunTimings& timings, const Results& results) {
   const double total = timings.sensors + timings.estimator + timings.recording;
   Json json;
   json["schema"] = 1;
@@ -45,7 +47,8 @@ Json Timings(const RunTimings& timings, const EstimatorTimings& stages) {
   json["estimator_s"] = timings.estimator;
   json["recording_s"] = timings.recording;
   json["real_time_factor"] = total > 0.0 ? Json(timings.simulated / total) : Json(nullptr);
-  json["estimator_stages"] = StagesJson(stages);
+  if (results.realtime) json["realtime"] = RealtimeJson(*results.realtime);
+  json["estimator_stages"] = StagesJson(results.stages);
   return json;
 }
 
@@ -61,8 +64,8 @@ std::string ConfigHash(const Scenario& scenario) {
 void WriteRunFiles(const std::filesystem::path& folder, const Scenario& scenario, const Dive& dive,
                    const RunFiles& files, const RunResult& result) {
   WriteResults(folder, files.results);
-  WriteJson(folder / "manifest.json", Manifest(scenario, dive));
-  WriteJson(folder / "timings.json", Timings(result.timings, files.results.stages));
+  WriteJson(folder / "manifest.json", Manifest(scenario, dive, files.results));
+  WriteJson(folder / "timings.json", Timings(result.timings, files.results));
   const std::string title =
       fmt::format("{}, seed {}: {}", scenario.name, scenario.seed, scenario.estimator.name);
   WriteScore(folder, title, files.truth, files.results.corrected, result.scorecard);

@@ -86,6 +86,13 @@ std::unique_ptr<Estimator> MakeEstimator(const EstimatorChoice& choice) {
       .make(LoadUsableRig(FindRig(choice.rig), choice.rig_set), choice.options);
 }
 
+Scenario WithEstimatorOnRobot(const Scenario& scenario) {
+  const EstimatorChoice& choice = scenario.estimator;
+  YamlNode root = scenario.resolved;
+  SetYaml(root, "estimator.options", OnRobot(FindEstimator(choice.name), choice.options));
+  return ReadScenario(root, scenario.name);
+}
+
 Scenario LoadScenario(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
   YamlNode root = LoadWithBases(path);

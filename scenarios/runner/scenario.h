@@ -61,6 +61,9 @@ Scenario LoadScenario(const std::filesystem::path& path,
 /// of them cannot be used.
 std::unique_ptr<Estimator> MakeEstimator(const EstimatorChoice& choice);
 
+/// `scenario` with an estimator that has to keep up with a robot (see OnRobot).
+Scenario WithEstimatorOnRobot(const Scenario& scenario);
+
 /// Reads a whole scenario from `root`; `name` is what reports call it.
 Scenario ReadScenario(const YamlNode& root, const std::string& name);
 

@@ -9,6 +9,7 @@
 #include "tools/drydock/commands.h"
 #include "tools/drydock/print_metrics.h"
 #include "tools/drydock/progress.h"
+#include "tools/drydock/realtime_arguments.h"
 
 namespace drydock::cli {
 namespace {
@@ -18,11 +19,13 @@ struct Arguments {
   std::string output;
   std::vector<std::string> assignments;
   ReplayOptions options;
+  RealtimeArguments realtime;
 };
 
 int EstimateCommand(Arguments arguments) {
   ReplayOptions& options = arguments.options;
   options.output = arguments.output;
+  options.realtime = arguments.realtime.Config();
   for (const std::string& assignment : arguments.assignments) SetYaml(options.options, assignment);
   options.progress = ProgressOnTerminal();
   options.warn = [](const std::string& message) {
@@ -32,6 +35,7 @@ int EstimateCommand(Arguments arguments) {
   fmt::print("{}: {} measurements in {:.1f} s, {} poses\n", options.estimator, result.measurements,
              result.timings.recorded, result.poses);
   if (result.scorecard) PrintMetrics(result.scorecard->metrics);
+  PrintRealtime(result.realtime);
   const double work = result.timings.reading + result.timings.estimator;
   if (work > 0.0) fmt::print("{:.2f} x real time\n", result.timings.recorded / work);
   fmt::print("results in {}: odometry.tum, trajectory.tum{}\n", arguments.output,
@@ -61,6 +65,7 @@ void AddEstimateCommand(CLI::App& app, Action& chosen) {
                       "[the dataset's own]");
   command->add_flag("--start-from-truth", arguments->options.start_from_truth,
                     "Tell the estimator the first state of the dataset's ground truth");
+  AddRealtimeOptions(*command, arguments->realtime);
   command
       ->add_option("-o,--output", arguments->output,
                    "Folder for the results, replaced if it is there")

@@ -6,12 +6,14 @@
 #include "tools/drydock/commands.h"
 #include "tools/drydock/dive_arguments.h"
 #include "tools/drydock/print_metrics.h"
+#include "tools/drydock/realtime_arguments.h"
 
 namespace drydock::cli {
 namespace {
 
 struct Arguments {
   DiveArguments dive;
+  RealtimeArguments realtime;
   std::string estimator;
   std::string output;
   bool record = false;
@@ -35,8 +37,10 @@ int RunCommand(Arguments arguments) {
   RunOptions options = arguments.dive.Options();
   options.output = arguments.output.empty() ? "out/" + scenario.name : arguments.output;
   options.record = arguments.record;
+  options.realtime = arguments.realtime.Config();
   const RunResult result = RunScenario(scenario, options);
   PrintScorecard(result.scorecard);
+  PrintRealtime(result.realtime);
   const RunTimings& timings = result.timings;
   const double work = timings.sensors + timings.estimator + timings.recording;
   fmt::print("{:.2f} x real time ({} renderer, {:.1f} s of set-up not counted)\n",
@@ -56,6 +60,7 @@ void AddRunCommand(CLI::App& app, Action& chosen) {
   AddDiveOptions(*command, arguments->dive);
   command->add_option("--estimator", arguments->estimator,
                       "Estimator, instead of the scenario's (see drydock list)");
+  AddRealtimeOptions(*command, arguments->realtime);
   command->add_flag("--record", arguments->record,
                     "Keep the measurements, as an EuRoC dataset, in DIR/dataset");
   command->add_option("-o,--output", arguments->output,

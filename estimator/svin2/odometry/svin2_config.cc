@@ -13,6 +13,9 @@ void ReadWindow(YamlReader& reader, WindowConfig& window) {
   window.keyframes = integer("keyframes", 1, 50, window.keyframes);
   window.recent_frames = integer("recent_frames", 2, 20, window.recent_frames);
   window.solver.iterations = integer("iterations", 1, 100, window.solver.iterations);
+  if (reader.Has("solver_time_s"))
+    window.solver.seconds = reader.Real("solver_time_s", Bounds::Positive());
+  reader.Skip("solver_time_s");  // Also where it is missing: messages list it among the known keys.
   window.cauchy_scale = reader.Real("cauchy_scale", Bounds::Positive(), window.cauchy_scale);
   window.max_reprojection_chi2 =
       reader.Real("max_reprojection_chi2", Bounds::Positive(), window.max_reprojection_chi2);

@@ -29,6 +29,19 @@ TEST(Registry, DeadReckoningTakesNoOptions) {
   }
 }
 
+TEST(Registry, EveryEstimatorTakesItsOptionsOnARobot) {
+  for (const EstimatorEntry& entry : Estimators())
+    EXPECT_NE(entry.make(Rig{}, OnRobot(entry, NoOptions())), nullptr) << entry.name;
+}
+
+TEST(Registry, WhatIsSaidCountsOnARobotToo) {
+  const EstimatorEntry& svin2 = FindEstimator("svin2-noloop");
+  EXPECT_EQ(EmitYaml(OnRobot(svin2, ParseYaml("window: {iterations: 3}", "dive.yaml"))),
+            "window:\n  solver_time_s: 0.03\n  iterations: 3\n");
+  EXPECT_EQ(EmitYaml(OnRobot(svin2, ParseYaml("window: {solver_time_s: 0.1}", "dive.yaml"))),
+            "window:\n  solver_time_s: 0.1\n");
+}
+
 TEST(Registry, UnknownNamesAreRefusedWithTheKnownOnes) {
   try {
     FindEstimator("orb-slam");

@@ -162,5 +162,14 @@ TEST_F(FactorGraphTest, PosesMoveOnTheirManifold) {
   EXPECT_TRUE(covariance->isApprox(0.01 * Eigen::MatrixXd::Identity(6, 6), 1e-6));
 }
 
+TEST_F(FactorGraphTest, OutOfTimeTheStatesStayWhereTheyAre) {
+  const BlockId a = Add(3.0);
+  graph_.AddFactor(std::make_unique<Value>(7.0), {a});
+  EXPECT_TRUE(graph_.Optimise({5, 1e-9}).usable);
+  EXPECT_EQ(At(a), 3.0);
+  EXPECT_TRUE(graph_.Optimise({5, 100.0}).usable);
+  EXPECT_NEAR(At(a), 7.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace drydock::svin2
