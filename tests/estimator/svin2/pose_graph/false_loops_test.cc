@@ -74,6 +74,7 @@ TEST(FalseLoops, RandomOnesHardlyHurt) {
     SyntheticDive dive(WithSeed(seed));
     const auto loops = dive.TrueLoops(110, 200, 9);
     std::vector<PoseGraphEdge> wrong;
+    wrong.reserve(10);
     for (int k = 0; k < 10; ++k) wrong.push_back(dive.RandomLoop());
     const Outcome clean = Close(dive, loops);
     // Whichever come first.

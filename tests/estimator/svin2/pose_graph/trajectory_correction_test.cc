@@ -8,7 +8,6 @@ namespace drydock::svin2 {
 namespace {
 
 using Eigen::Vector3d;
-using testing::Covariance;
 
 constexpr std::int64_t kTenth = kNanosecondsPerSecond / 10;
 
@@ -79,6 +78,7 @@ TEST(TrajectoryCorrection, DoesNotHangOnWhereTheOriginIs) {
                                          At(0)};
   const Pose away(FromYawPitchRoll(2.0, 0, 0), {1000, -500, 20});
   std::vector<Pose> moved;
+  moved.reserve(corrections.size());
   for (const Pose& correction : corrections) moved.push_back(away * correction);
   const Trajectory here = Corrected(Graph(corrections), Odometry());
   const Trajectory there = Corrected(Graph(moved), Odometry());
