@@ -19,7 +19,7 @@ constexpr double kDegrees = std::numbers::pi / 180.0;
 constexpr double kFirstStone = 1.0;  // [m], along x
 
 /// Sets a copy down, a little larger or smaller, turned, leaning and out of line.
-void Put(SceneModel& model, const std::string& name, Stone stone, double x, double y,
+void Put(SceneModel& model, const std::string& name, const Stone& stone, double x, double y,
          const Sand& sand, RandomStream& random) {
   const double scale = 1.0 + 0.02 * random.Gaussian();
   const double yaw = 3.0 * kDegrees * random.Gaussian();
@@ -31,10 +31,11 @@ void Put(SceneModel& model, const std::string& name, Stone stone, double x, doub
                                  Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) *
                                  Eigen::AngleAxisd(lean_x, Vector3d::UnitX()) *
                                  Eigen::AngleAxisd(lean_y, Vector3d::UnitY());
-  for (auto& [material, mesh] : stone) {
-    for (Vector3d& p : mesh.positions) p *= scale;
-    mesh.Transform(pose);
-    model.Add(name, material, std::move(mesh));
+  for (const auto& [material, mesh] : stone) {
+    Mesh copy = mesh;
+    for (Vector3d& p : copy.positions) p *= scale;
+    copy.Transform(pose);
+    model.Add(name, material, std::move(copy));
   }
 }
 
