@@ -39,8 +39,10 @@ TEST(Vocabulary, GoesDownByTheFewestBits) {
   EXPECT_EQ(vocabulary.WordOf({0b0111}), 0U);
   EXPECT_EQ(vocabulary.WordOf({0b0010}), 1U);
   EXPECT_EQ(vocabulary.WordOf({0b0001}), 2U);
-  // As near to both: the first.
-  EXPECT_EQ(vocabulary.WordOf({0b0011}), 0U);
+  // Not the best at the first turn, but in the end.
+  EXPECT_EQ(vocabulary.WordOf({0b0011}), 2U);
+  // As near to two: the first.
+  EXPECT_EQ(vocabulary.WordOf({0b0110}), 0U);
 }
 
 TEST(Vocabulary, WeighsByFrequencyInTheImageTimesRarity) {
