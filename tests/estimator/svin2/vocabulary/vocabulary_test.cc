@@ -146,5 +146,19 @@ TEST(Vocabulary, RefusesWhatIsNoTree) {
   ExpectRefused(change([](auto& t) { t.weights[1] = std::nanf(""); }), "weight is nan");
 }
 
+// The file that comes with Drydock, as docs/models.md has it.
+TEST(Vocabulary, ShippedOneCanBeUsed) {
+  const std::filesystem::path path = Vocabulary::DefaultPath();
+  EXPECT_LT(std::filesystem::file_size(path), 4'000'000U);
+  const Vocabulary vocabulary = Vocabulary::Load(path);
+  EXPECT_EQ(vocabulary.tree().branching, 10);
+  EXPECT_EQ(vocabulary.levels(), 5);
+  EXPECT_GT(vocabulary.words(), 50000U);
+  RandomStream random(1, "test");
+  std::vector<Descriptor> image;
+  for (int i = 0; i < 100; ++i) image.push_back(RandomDescriptor(random));
+  EXPECT_NEAR(SumOf(vocabulary.Transform(image, 2).words), 1.0, 1e-5);
+}
+
 }  // namespace
 }  // namespace drydock::svin2
