@@ -88,6 +88,7 @@ std::vector<float> Weights(const VocabularyTree& tree,
     for (const WordId word : words) ++with[word];
   }
   std::vector<float> weights;
+  weights.reserve(with.size());
   for (const int count : with) {
     // A word that lost its members to a better path is as rare as one that was seen once.
     weights.push_back(

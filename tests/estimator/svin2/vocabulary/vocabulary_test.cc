@@ -15,7 +15,6 @@ namespace drydock::svin2 {
 namespace {
 
 using testing::Disturbed;
-using testing::RandomDescriptor;
 using testing::SmallVocabulary;
 using testing::SyntheticImages;
 
@@ -155,9 +154,8 @@ TEST(Vocabulary, ShippedOneCanBeUsed) {
   EXPECT_EQ(vocabulary.levels(), 5);
   EXPECT_GT(vocabulary.words(), 50000U);
   RandomStream random(1, "test");
-  std::vector<Descriptor> image;
-  for (int i = 0; i < 100; ++i) image.push_back(RandomDescriptor(random));
-  EXPECT_NEAR(SumOf(vocabulary.Transform(image, 2).words), 1.0, 1e-5);
+  EXPECT_NEAR(SumOf(vocabulary.Transform(testing::RandomDescriptors(100, random), 2).words), 1.0,
+              1e-5);
 }
 
 }  // namespace
