@@ -32,6 +32,7 @@ TEST(KMedians, SeparatesClusters) {
   RandomStream random(3, "test");
   const std::vector<Descriptor> centres = RandomDescriptors(8, random);
   std::vector<Descriptor> descriptors;
+  descriptors.reserve(240);
   for (int i = 0; i < 240; ++i) descriptors.push_back(Disturbed(centres[i % 8], 30, random));
   const auto clusters = KMedians(descriptors, AllOf(descriptors), 8, 20, random);
   ASSERT_EQ(clusters.size(), 8U);
