@@ -26,6 +26,8 @@ install(FILES ${scenario_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/sce
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios/suites DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/scenarios)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/sensors_models/measurement/rigs
   DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/sensors_models/measurement)
+install(FILES ${PROJECT_SOURCE_DIR}/estimator/svin2/vocabulary/brisk.vocabulary
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/drydock/estimator/svin2/vocabulary)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # MuJoCo comes along, with its licences, whether or not the machine has one of its own.

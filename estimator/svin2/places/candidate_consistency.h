@@ -28,9 +28,9 @@ class CandidateConsistency {
 
  private:
   struct Island {
-    KeyframeIndex first, last;
+    KeyframeIndex first = 0, last = 0;
     PlaceMatch best;
-    int times;  // Keyframes in a row that proposed it.
+    int times = 1;  // Keyframes in a row that proposed it.
   };
 
   std::vector<Island> IslandsOf(std::vector<PlaceMatch> candidates) const;

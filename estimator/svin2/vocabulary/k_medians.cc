@@ -54,6 +54,7 @@ std::vector<DescriptorCluster> Assign(const std::vector<Descriptor>& descriptors
 
 std::vector<Descriptor> CentresOf(const std::vector<DescriptorCluster>& clusters) {
   std::vector<Descriptor> centres;
+  centres.reserve(clusters.size());
   for (const DescriptorCluster& cluster : clusters) centres.push_back(cluster.centre);
   return centres;
 }

@@ -5,30 +5,19 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "estimator/svin2/vocabulary/k_medians.h"
+#include "estimator/svin2/vocabulary/vocabulary.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/random_stream.h"
 
 namespace drydock::svin2 {
 namespace {
 
-struct Samples {
-  std::vector<Descriptor> descriptors;
-  std::vector<std::size_t> images;  // Of each descriptor.
-};
-
-Samples Flatten(const std::vector<std::vector<Descriptor>>& images) {
-  Samples samples;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    samples.descriptors.insert(samples.descriptors.end(), images[i].begin(), images[i].end());
-    samples.images.resize(samples.descriptors.size(), i);
-  }
-  return samples;
-}
-
-void RequireTraining(const VocabularyTraining& training, const Samples& samples) {
+void RequireTraining(const VocabularyTraining& training,
+                     const std::vector<Descriptor>& descriptors) {
   const auto& [branching, levels, iterations, min_members, seed] = training;
   RequireInput(branching >= 2 && branching <= 255, "branching is {}; it must lie in [2, 255]",
                branching);
@@ -36,26 +25,24 @@ void RequireTraining(const VocabularyTraining& training, const Samples& samples)
   RequireInput(iterations >= 1 && min_members >= 2,
                "iterations is {} and min_members {}; they must be at least 1 and 2", iterations,
                min_members);
-  const auto& descriptors = samples.descriptors;
   RequireInput(std::ranges::adjacent_find(descriptors, std::not_equal_to{}) != descriptors.end(),
                "{} descriptors, and no two that differ, make no vocabulary", descriptors.size());
 }
 
-/// Grows the tree level by level.
+/// Grows the tree level by level; the weights are left at zero.
 class Grower {
  public:
-  Grower(const Samples& samples, std::size_t images, const VocabularyTraining& training)
-      : samples_(samples),
-        images_(static_cast<double>(images)),
+  Grower(const std::vector<Descriptor>& descriptors, const VocabularyTraining& training)
+      : descriptors_(descriptors),
         training_(training),
         random_(training.seed, "vocabulary/k_medians") {}
 
   VocabularyTree Grow() {
     tree_.branching = training_.branching;
     tree_.levels = training_.levels;
-    std::vector<std::uint32_t> all(samples_.descriptors.size());
+    Members all(descriptors_.size());
     std::iota(all.begin(), all.end(), 0U);
-    std::vector<std::vector<std::uint32_t>> level{std::move(all)};
+    std::vector<Members> level{std::move(all)};
     for (int depth = 0; !level.empty(); ++depth) level = Divide(level, depth);
     return std::move(tree_);
   }
@@ -69,13 +56,13 @@ class Grower {
     for (const Members& members : level) {
       std::vector<DescriptorCluster> children;
       if (depth < training_.levels && std::ssize(members) >= training_.min_members) {
-        children = KMedians(samples_.descriptors, members, training_.branching,
-                            training_.iterations, random_);
+        children =
+            KMedians(descriptors_, members, training_.branching, training_.iterations, random_);
       }
       // Of one child there would be no end.
       if (children.size() < 2) children.clear();
       tree_.children.push_back(static_cast<std::uint8_t>(children.size()));
-      if (children.empty()) tree_.weights.push_back(Weight(members));
+      if (children.empty()) tree_.weights.push_back(0.0F);
       for (DescriptorCluster& child : children) {
         tree_.centres.push_back(child.centre);
         next.push_back(std::move(child.members));
@@ -84,30 +71,44 @@ class Grower {
     return next;
   }
 
-  /// ln(images / images with one of these descriptors).
-  float Weight(const Members& members) const {
-    std::size_t with = 0;
-    // Members rise, and so do their images.
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      if (i == 0 || samples_.images[members[i]] != samples_.images[members[i - 1]]) ++with;
-    }
-    return static_cast<float>(std::log(images_ / static_cast<double>(with)));
-  }
-
-  const Samples& samples_;
-  double images_;
+  const std::vector<Descriptor>& descriptors_;
   VocabularyTraining training_;
   RandomStream random_;
   VocabularyTree tree_;
 };
 
+/// ln(images / images with the word), of each word.
+std::vector<float> Weights(const VocabularyTree& tree,
+                           const std::vector<std::vector<Descriptor>>& images) {
+  const Vocabulary vocabulary(tree);
+  std::vector<int> with(vocabulary.words(), 0);
+  for (const std::vector<Descriptor>& image : images) {
+    std::set<WordId> words;
+    for (const Descriptor& descriptor : image) words.insert(vocabulary.WordOf(descriptor));
+    for (const WordId word : words) ++with[word];
+  }
+  std::vector<float> weights;
+  weights.reserve(with.size());
+  for (const int count : with) {
+    // A word that lost its members to a better path is as rare as one that was seen once.
+    weights.push_back(
+        static_cast<float>(std::log(static_cast<double>(images.size()) / std::max(count, 1))));
+  }
+  return weights;
+}
+
 }  // namespace
 
 VocabularyTree TrainVocabulary(const std::vector<std::vector<Descriptor>>& images,
                                const VocabularyTraining& training) {
-  const Samples samples = Flatten(images);
-  RequireTraining(training, samples);
-  return Grower(samples, images.size(), training).Grow();
+  std::vector<Descriptor> descriptors;
+  for (const std::vector<Descriptor>& image : images) {
+    descriptors.insert(descriptors.end(), image.begin(), image.end());
+  }
+  RequireTraining(training, descriptors);
+  VocabularyTree tree = Grower(descriptors, training).Grow();
+  tree.weights = Weights(tree, images);
+  return tree;
 }
 
 }  // namespace drydock::svin2

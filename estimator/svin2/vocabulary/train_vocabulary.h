@@ -11,7 +11,7 @@ namespace drydock::svin2 {
 
 struct VocabularyTraining {
   int branching = 10;   ///< k: children of a node.
-  int levels = 4;       ///< L: steps from the root to the words.
+  int levels = 5;       ///< L: steps from the root to the words.
   int iterations = 20;  ///< Most rounds of k-medians for a node.
   int min_members = 2;  ///< A node of fewer descriptors is not divided.
   std::uint64_t seed = 1;

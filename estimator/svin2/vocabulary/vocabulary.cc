@@ -1,6 +1,8 @@
 #include "estimator/svin2/vocabulary/vocabulary.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -26,13 +28,16 @@ BowVector Normalised(const std::map<WordId, double>& weights) {
 
 Vocabulary::Vocabulary(VocabularyTree tree) : tree_(std::move(tree)) {
   RequireTree(tree_);
+  nodes_.resize(tree_.children.size());
   NodeId next_child = 1;
   WordId next_word = 0;
-  for (const std::uint8_t count : tree_.children) {
-    first_child_.push_back(next_child);
-    next_child += count;
-    words_.push_back(next_word);
-    if (count == 0) ++next_word;
+  for (NodeId node = 0; node < nodes_.size(); ++node) {
+    nodes_[node].first_child = next_child;
+    for (int i = 0; i < tree_.children[node]; ++i) {
+      nodes_[next_child++] = {.parent = node, .level = nodes_[node].level + 1};
+    }
+    nodes_[node].word = next_word;
+    if (tree_.children[node] == 0) ++next_word;
   }
 }
 
@@ -49,41 +54,50 @@ void Vocabulary::Save(const std::filesystem::path& path) const {
   WriteFileAtomically(path, FormatVocabulary(tree_));
 }
 
-Vocabulary::Place Vocabulary::Descend(const Descriptor& descriptor, int index_level) const {
-  NodeId node = 0, at_level = 0;
-  for (int level = 1; tree_.children[node] > 0; ++level) {
-    const NodeId first = first_child_[node];
-    NodeId best = first;
-    int best_distance = HammingDistance(descriptor, tree_.centres[first - 1]);
-    for (NodeId child = first + 1; child < first + tree_.children[node]; ++child) {
-      const int distance = HammingDistance(descriptor, tree_.centres[child - 1]);
-      if (distance >= best_distance) continue;
-      best = child;
-      best_distance = distance;
+NodeId Vocabulary::LeafOf(const Descriptor& descriptor) const {
+  using Found = std::pair<int, NodeId>;  // Bits that differ, and where: ties go to the first.
+  Found best{std::numeric_limits<int>::max(), 0};
+  std::vector<Found> beam{{0, 0}}, below;
+  while (!beam.empty()) {
+    below.clear();
+    for (const auto& [unused, node] : beam) {
+      const NodeId first = nodes_[node].first_child;
+      for (NodeId child = first; child < first + tree_.children[node]; ++child) {
+        const Found found{HammingDistance(descriptor, tree_.centres[child - 1]), child};
+        if (tree_.children[child] == 0) {
+          best = std::min(best, found);
+        } else {
+          below.push_back(found);
+        }
+      }
     }
-    node = best;
-    if (level <= index_level) at_level = node;
+    if (std::ssize(below) > kPaths) {
+      std::ranges::nth_element(below, below.begin() + kPaths);
+      below.resize(kPaths);
+    }
+    beam.swap(below);
   }
-  return {words_[node], at_level};
+  return best.second;
 }
 
 WordId Vocabulary::WordOf(const Descriptor& descriptor) const {
-  return Descend(descriptor, 0).word;
+  return nodes_[LeafOf(descriptor)].word;
 }
 
 BagOfWords Vocabulary::Transform(const std::vector<Descriptor>& descriptors,
                                  int index_level) const {
   std::map<WordId, double> weights;
-  std::map<NodeId, std::vector<std::uint32_t>> nodes;
+  std::map<NodeId, std::vector<std::uint32_t>> members;
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
-    const Place place = Descend(descriptors[i], index_level);
-    nodes[place.node].push_back(static_cast<std::uint32_t>(i));
-    const float idf = tree_.weights[place.word];
-    if (idf > 0.0F) weights[place.word] += idf;
+    NodeId node = LeafOf(descriptors[i]);
+    const WordId word = nodes_[node].word;
+    if (tree_.weights[word] > 0.0F) weights[word] += tree_.weights[word];
+    while (nodes_[node].level > index_level) node = nodes_[node].parent;
+    members[node].push_back(static_cast<std::uint32_t>(i));
   }
   BagOfWords bag;
   bag.words = Normalised(weights);
-  for (auto& [node, members] : nodes) bag.index.push_back({node, std::move(members)});
+  for (auto& [node, below] : members) bag.index.push_back({node, std::move(below)});
   return bag;
 }
 

@@ -12,10 +12,13 @@
 namespace drydock::svin2 {
 
 /// A hierarchical vocabulary of binary words (Galvez-Lopez and Tardos 2012; Nister and Stewenius
-/// 2006): a descriptor goes down the tree, each time to the child that differs in the fewest bits.
-/// The leaf that it comes to is its word.
+/// 2006): a descriptor goes down the tree to the children that differ in the fewest bits. The leaf
+/// that it comes to is its word. Not only the best path is gone, but the best `kPaths` (Schindler,
+/// Brown and Szeliski 2007): one wrong turn at the top would make another word of the same point.
 class Vocabulary {
  public:
+  static constexpr int kPaths = 5;
+
   /// Throws InputError for a tree that is none, saying why.
   explicit Vocabulary(VocabularyTree tree);
 
@@ -36,19 +39,19 @@ class Vocabulary {
   /// that every training image has say nothing and are left out.
   BagOfWords Transform(const std::vector<Descriptor>& descriptors, int index_level) const;
 
-  /// The leaf of a descriptor; ties go to the child that comes first.
+  /// The word of a descriptor; ties go to the leaf that comes first.
   WordId WordOf(const Descriptor& descriptor) const;
 
  private:
-  struct Place {
-    WordId word;
-    NodeId node;  // At the level asked for.
+  struct Node {
+    NodeId parent = 0, first_child = 0;
+    int level = 0;    // Steps from the root.
+    WordId word = 0;  // Counts for leaves.
   };
-  Place Descend(const Descriptor& descriptor, int index_level) const;
+  NodeId LeafOf(const Descriptor& descriptor) const;
 
   VocabularyTree tree_;
-  std::vector<NodeId> first_child_;  // Of each node.
-  std::vector<WordId> words_;        // Of each node; counts for leaves.
+  std::vector<Node> nodes_;
 };
 
 }  // namespace drydock::svin2

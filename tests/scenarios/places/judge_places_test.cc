@@ -8,21 +8,20 @@ namespace drydock {
 namespace {
 
 using svin2::testing::Disturbed;
-using svin2::testing::RandomDescriptor;
+using svin2::testing::RandomDescriptors;
 using svin2::testing::SmallVocabulary;
 
 // Along a line at 1 m a keyframe and second, 30 of the things beside it in view, and back.
 std::vector<KeyframeView> ThereAndBack() {
   RandomStream random(1, "judge_places_test");
-  std::vector<svin2::Descriptor> things;
-  for (int i = 0; i < 240; ++i) things.push_back(RandomDescriptor(random));
+  const std::vector<svin2::Descriptor> things = RandomDescriptors(240, random);
   std::vector<KeyframeView> views;
   for (int k = 0; k < 40; ++k) {
     const int x = k < 20 ? k : 39 - k;
     KeyframeView view{Time{} + Duration::FromSeconds(k), Pose({1, 0, 0, 0}, {1.0 * x, 0, 0}), {}};
-    for (int i = 0; i < 30; ++i) {
-      view.descriptors.push_back(
-          Disturbed(things[static_cast<std::size_t>(10 * x + i)], 10, random));
+    const auto first = things.begin() + 10 * x;
+    for (auto thing = first; thing != first + 30; ++thing) {
+      view.descriptors.push_back(Disturbed(*thing, 10, random));
     }
     views.push_back(std::move(view));
   }

@@ -12,6 +12,7 @@ namespace {
 
 using testing::Disturbed;
 using testing::RandomDescriptor;
+using testing::RandomDescriptors;
 
 std::vector<std::uint32_t> AllOf(const std::vector<Descriptor>& descriptors) {
   std::vector<std::uint32_t> all(descriptors.size());
@@ -29,8 +30,9 @@ TEST(Majority, CountsBitsAndKeepsWhatIsUndecided) {
 // Eight centres, some 256 bits apart, and 30 members of each within 30 bits.
 TEST(KMedians, SeparatesClusters) {
   RandomStream random(3, "test");
-  std::vector<Descriptor> centres, descriptors;
-  for (int i = 0; i < 8; ++i) centres.push_back(RandomDescriptor(random));
+  const std::vector<Descriptor> centres = RandomDescriptors(8, random);
+  std::vector<Descriptor> descriptors;
+  descriptors.reserve(240);
   for (int i = 0; i < 240; ++i) descriptors.push_back(Disturbed(centres[i % 8], 30, random));
   const auto clusters = KMedians(descriptors, AllOf(descriptors), 8, 20, random);
   ASSERT_EQ(clusters.size(), 8U);
@@ -48,8 +50,7 @@ TEST(KMedians, SeparatesClusters) {
 // Where there is no structure to be found the clusters still are what they claim to be.
 TEST(KMedians, PutsEachMemberWithItsNearestCentre) {
   RandomStream random(4, "test");
-  std::vector<Descriptor> descriptors;
-  for (int i = 0; i < 300; ++i) descriptors.push_back(RandomDescriptor(random));
+  const std::vector<Descriptor> descriptors = RandomDescriptors(300, random);
   for (const int iterations : {1, 2, 50}) {
     const auto clusters = KMedians(descriptors, AllOf(descriptors), 10, iterations, random);
     std::size_t members = 0;

@@ -16,6 +16,12 @@ inline Descriptor RandomDescriptor(RandomStream& random) {
   return descriptor;
 }
 
+inline std::vector<Descriptor> RandomDescriptors(std::size_t count, RandomStream& random) {
+  std::vector<Descriptor> descriptors(count);
+  for (Descriptor& descriptor : descriptors) descriptor = RandomDescriptor(random);
+  return descriptors;
+}
+
 /// `descriptor` with about `flips` bits changed.
 inline Descriptor Disturbed(Descriptor descriptor, int flips, RandomStream& random) {
   for (int i = 0; i < flips; ++i) {
@@ -29,8 +35,7 @@ inline Descriptor Disturbed(Descriptor descriptor, int flips, RandomStream& rand
 inline std::vector<std::vector<Descriptor>> SyntheticImages(std::size_t images, std::size_t centres,
                                                             std::size_t seen, std::uint64_t seed) {
   RandomStream random(seed, "synthetic_descriptors");
-  std::vector<Descriptor> things;
-  for (std::size_t i = 0; i < centres; ++i) things.push_back(RandomDescriptor(random));
+  const std::vector<Descriptor> things = RandomDescriptors(centres, random);
   std::vector<std::vector<Descriptor>> all(images);
   for (auto& image : all) {
     for (std::size_t i = 0; i < seen; ++i) {

@@ -14,6 +14,7 @@ namespace {
 
 using testing::Disturbed;
 using testing::RandomDescriptor;
+using testing::RandomDescriptors;
 using testing::SyntheticImages;
 
 VocabularyTraining Small() {
@@ -25,8 +26,7 @@ VocabularyTraining Small() {
 
 TEST(TrainVocabulary, GivesEachThingWordsOfItsOwn) {
   RandomStream random(7, "test");
-  std::vector<Descriptor> things;
-  for (int i = 0; i < 25; ++i) things.push_back(RandomDescriptor(random));
+  const std::vector<Descriptor> things = RandomDescriptors(25, random);
   std::vector<std::vector<Descriptor>> images(30);
   for (auto& image : images) {
     for (const Descriptor& thing : things) image.push_back(Disturbed(thing, 20, random));

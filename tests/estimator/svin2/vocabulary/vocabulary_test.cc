@@ -15,7 +15,6 @@ namespace drydock::svin2 {
 namespace {
 
 using testing::Disturbed;
-using testing::RandomDescriptor;
 using testing::SmallVocabulary;
 using testing::SyntheticImages;
 
@@ -39,8 +38,10 @@ TEST(Vocabulary, GoesDownByTheFewestBits) {
   EXPECT_EQ(vocabulary.WordOf({0b0111}), 0U);
   EXPECT_EQ(vocabulary.WordOf({0b0010}), 1U);
   EXPECT_EQ(vocabulary.WordOf({0b0001}), 2U);
-  // As near to both: the first.
-  EXPECT_EQ(vocabulary.WordOf({0b0011}), 0U);
+  // Not the best at the first turn, but in the end.
+  EXPECT_EQ(vocabulary.WordOf({0b0011}), 2U);
+  // As near to two: the first.
+  EXPECT_EQ(vocabulary.WordOf({0b0110}), 0U);
 }
 
 TEST(Vocabulary, WeighsByFrequencyInTheImageTimesRarity) {
@@ -142,6 +143,19 @@ TEST(Vocabulary, RefusesWhatIsNoTree) {
   ExpectRefused(change([](auto& t) { t.weights.pop_back(); }), "2 weights do not fit 3 words");
   ExpectRefused(change([](auto& t) { t.weights[1] = -1.0F; }), "weight is -1");
   ExpectRefused(change([](auto& t) { t.weights[1] = std::nanf(""); }), "weight is nan");
+}
+
+// The file that comes with Drydock, as docs/models.md has it.
+TEST(Vocabulary, ShippedOneCanBeUsed) {
+  const std::filesystem::path path = Vocabulary::DefaultPath();
+  EXPECT_LT(std::filesystem::file_size(path), 4'000'000U);
+  const Vocabulary vocabulary = Vocabulary::Load(path);
+  EXPECT_EQ(vocabulary.tree().branching, 10);
+  EXPECT_EQ(vocabulary.levels(), 5);
+  EXPECT_GT(vocabulary.words(), 50000U);
+  RandomStream random(1, "test");
+  EXPECT_NEAR(SumOf(vocabulary.Transform(testing::RandomDescriptors(100, random), 2).words), 1.0,
+              1e-5);
 }
 
 }  // namespace
