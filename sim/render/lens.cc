@@ -49,10 +49,11 @@ Gaze GazeOf(const CameraModel& camera, double focal) {
       const int across = PointsAcross(focal * by_pixel);
       gaze.middles.push_back(*middle);
       gaze.counts.push_back(across * across);
-      for (int i = 0; i < across * across; ++i) {
-        const Eigen::Vector2d offset((i % across + 0.5) / across - 0.5,
-                                     (i / across + 0.5) / across - 0.5);
-        gaze.points.emplace_back(*middle + by_pixel * offset);
+      for (int row = 0; row < across; ++row) {
+        for (int column = 0; column < across; ++column) {
+          const Eigen::Vector2d offset((column + 0.5) / across - 0.5, (row + 0.5) / across - 0.5);
+          gaze.points.emplace_back(*middle + by_pixel * offset);
+        }
       }
     }
   }

@@ -117,7 +117,7 @@ void EndLinesAsWindowsDoes(const fs::path& file) {
 void MakeLikeEuroc(const fs::path& target) {
   const fs::path mav0 = target / "mav0";
   const dataset::EurocReader reader(target);
-  const Rig rig = reader.rig();
+  const Rig& rig = reader.rig();
   const fs::path truth = mav0 / "state_groundtruth_estimate0";
   WriteFileAtomically(truth / "data.csv", TruthTable(reader));
   WriteFileAtomically(truth / "sensor.yaml",
