@@ -68,10 +68,11 @@ TEST_P(CliEurocFolder, IsEstimatedFromItsOwnStart) {
   const TemporaryFolder folder;
   WriteFileAtomically(folder.path() / "rig.yaml",
                       fmt::format(kRig, GetParam().left, GetParam().right));
+  const std::string scenario = std::string(DRYDOCK_SOURCE_DIR) + "/scenarios/bus.yaml";
+  const std::string rig = "rig=" + (folder.path() / "rig.yaml").string();
   const Outcome simulated =
-      RunDrydock(folder.path(), {"simulate", DRYDOCK_SOURCE_DIR "/scenarios/bus.yaml", "--set",
-                                 "rig=" + (folder.path() / "rig.yaml").string(), "--set",
-                                 "duration_s=6", "--set", "water.shadows=false", "-o", "dive"});
+      RunDrydock(folder.path(), {"simulate", scenario, "--set", rig, "--set", "duration_s=6",
+                                 "--set", "water.shadows=false", "-o", "dive"});
   ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
   MakeLikeEuroc(folder.path() / "dive");
   const Outcome estimate =
