@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/dataset/euroc_layout.h"
+#include "scenarios/dataset/sensor_yaml.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 #include "sensors_models/base/yaml_reader.h"
@@ -71,10 +72,16 @@ CameraIntrinsics ReadOptics(YamlReader& yaml) {
     yaml.Fail("resolution", "width and height in whole pixels");
   }
   yaml.Choice("camera_model", {"pinhole"}, "pinhole");
-  yaml.Choice("distortion_model", {"radial-tangential"}, "radial-tangential");
+  const std::string radtan = DistortionModel(LensModel::kRadtan);
+  const std::string equidistant = DistortionModel(LensModel::kEquidistant);
+  camera.lens = yaml.Choice("distortion_model", {radtan, equidistant}, radtan) == equidistant
+                    ? LensModel::kEquidistant
+                    : LensModel::kRadtan;
   const std::vector<double> k = yaml.Reals("intrinsics", {0.0, 1e5}, 4);
   if (k[0] < 1.0 || k[1] < 1.0) yaml.Fail("intrinsics", "[fu, fv, cu, cv] with fu and fv above 1");
-  const std::vector<double> distortion = yaml.Reals("distortion_coefficients", {-2.0, 2.0}, 4);
+  const double largest = LargestDistortion(camera.lens);
+  const std::vector<double> distortion =
+      yaml.Reals("distortion_coefficients", {-largest, largest}, 4);
   camera.width = static_cast<int>(size[0]);
   camera.height = static_cast<int>(size[1]);
   camera.fx = k[0];
@@ -191,7 +198,7 @@ std::vector<Numbers> NumbersOf(const Rig& rig) {
     const CameraIntrinsics& c = rig.stereo.cameras[i];
     Numbers camera{kCameraFolders[i],
                    {rig.stereo.rate_hz, static_cast<double>(c.width), static_cast<double>(c.height),
-                    c.fx, c.fy, c.cx, c.cy}};
+                    c.fx, c.fy, c.cx, c.cy, static_cast<double>(c.lens)}};
     camera.values.insert(camera.values.end(), c.distortion.begin(), c.distortion.end());
     Append(camera.values, rig.stereo.T_IC[i]);
     all.push_back(std::move(camera));

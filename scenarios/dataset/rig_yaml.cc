@@ -54,7 +54,7 @@ std::string FormatCamera(const CameraIntrinsics& camera, const Pose& T_IC) {
   fmt::format_to(to, "      width_px: {}\n      height_px: {}\n", camera.width, camera.height);
   fmt::format_to(to, "      focal_px: [{}, {}]\n", camera.fx, camera.fy);
   fmt::format_to(to, "      principal_point_px: [{}, {}]\n", camera.cx, camera.cy);
-  fmt::format_to(to, "      radtan: [{}, {}, {}, {}]\n", k[0], k[1], k[2], k[3]);
+  fmt::format_to(to, "      {}: [{}, {}, {}, {}]\n", LensKey(camera.lens), k[0], k[1], k[2], k[3]);
   return out;
 }
 

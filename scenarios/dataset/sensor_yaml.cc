@@ -26,14 +26,17 @@ std::string FormatOptics(const CameraIntrinsics& camera, double rate_hz) {
   fmt::format_to(to, "rate_hz: {}\nresolution: [{}, {}]\n", rate_hz, camera.width, camera.height);
   fmt::format_to(to, "camera_model: pinhole\nintrinsics: [{}, {}, {}, {}]  # fu, fv, cu, cv [px]\n",
                  camera.fx, camera.fy, camera.cx, camera.cy);
-  fmt::format_to(to,
-                 "distortion_model: radial-tangential\n"
-                 "distortion_coefficients: [{}, {}, {}, {}]  # k1, k2, p1, p2\n",
-                 k[0], k[1], k[2], k[3]);
+  fmt::format_to(to, "distortion_model: {}\ndistortion_coefficients: [{}, {}, {}, {}]  # {}\n",
+                 DistortionModel(camera.lens), k[0], k[1], k[2], k[3],
+                 camera.lens == LensModel::kRadtan ? "k1, k2, p1, p2" : "k1, k2, k3, k4");
   return out;
 }
 
 }  // namespace
+
+std::string DistortionModel(LensModel lens) {
+  return lens == LensModel::kRadtan ? "radial-tangential" : "equidistant";
+}
 
 std::string FormatBodyYaml(const Rig& rig) {
   return fmt::format(

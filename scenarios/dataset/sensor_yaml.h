@@ -8,6 +8,9 @@
 
 namespace drydock::dataset {
 
+/// The name of such a lens in EuRoC's sensor.yaml: "radial-tangential" or "equidistant".
+std::string DistortionModel(LensModel lens);
+
 std::string FormatBodyYaml(const Rig& rig);
 /// `camera` is 0 (left) or 1 (right).
 std::string FormatCameraYaml(const Rig& rig, std::size_t camera);

@@ -110,7 +110,7 @@ std::optional<Similarity> Align(const std::vector<PosePair>& pairs, Alignment al
 }
 
 Similarity AlignPositionAndYaw(const PosePair& pair) {
-  const Eigen::Quaterniond rotation = YawRotation(YawOf(pair.truth.q()) - YawOf(pair.estimate.q()));
+  const Eigen::Quaterniond rotation = YawRotation(YawBetween(pair.estimate.q(), pair.truth.q()));
   return {1.0, Pose(rotation, pair.truth.p() - rotation * pair.estimate.p())};
 }
 

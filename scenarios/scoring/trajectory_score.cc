@@ -47,8 +47,7 @@ void FillYawAligned(const std::vector<PosePair>& pairs, Metrics& metrics) {
   std::vector<double> z;
   for (const PosePair& pair : pairs) {
     const Pose aligned = *alignment * pair.estimate;
-    const double difference = YawOf(aligned.q()) - YawOf(pair.truth.q());
-    yaw.push_back(std::remainder(difference, 2.0 * std::numbers::pi) * kDegrees);
+    yaw.push_back(YawBetween(pair.truth.q(), aligned.q()) * kDegrees);
     z.push_back(aligned.p().z() - pair.truth.p().z());
   }
   metrics.yaw_error_deg = RootMeanSquare(yaw);

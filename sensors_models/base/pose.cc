@@ -62,6 +62,12 @@ double YawOf(const Eigen::Quaterniond& q) {
   return std::atan2(forward.y(), forward.x());
 }
 
+double YawBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  // The part about z of the turn between them.
+  const Eigen::Quaterniond turn = to * from.conjugate();
+  return std::atan2(2.0 * turn.w() * turn.z(), turn.w() * turn.w() - turn.z() * turn.z());
+}
+
 Pose::Pose(const Eigen::Quaterniond& q, const Eigen::Vector3d& p) : q_(q), p_(p) {
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (!(std::abs(q.squaredNorm() - 1.0) <= kRounding)) q_.normalize();

@@ -33,6 +33,11 @@ Eigen::Quaterniond FromYawPitchRoll(double yaw, double pitch, double roll);
 /// The yaw of R [rad] in (-pi, pi], where R = Rz(yaw) Ry(pitch) Rx(roll).
 double YawOf(const Eigen::Quaterniond& q);
 
+/// The turn about z [rad] in (-pi, pi] that takes `from` as near to `to` as such a turn can. Unlike
+/// a difference of YawOf() it does not mind which of the body's axes is forward: of a body whose x
+/// is up, YawOf() is noise.
+double YawBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
+
 /// An element of SE(3): a unit quaternion and a translation [m].
 class Pose {
  public:

@@ -31,18 +31,34 @@ Pose ReadMounting(YamlReader& yaml) {
   return {ReadQuaternion(yaml), position};
 }
 
+/// By the key that its coefficients stand under.
+LensModel ReadLens(YamlReader& yaml) {
+  const std::string radtan = LensKey(LensModel::kRadtan);
+  const std::string equidistant = LensKey(LensModel::kEquidistant);
+  yaml.Skip(radtan);
+  yaml.Skip(equidistant);
+  RequireInput(yaml.Has(radtan) || yaml.Has(equidistant),
+               "{}: a camera needs one of the keys '{}' and '{}'", yaml.Place(), radtan,
+               equidistant);
+  if (!yaml.Has(equidistant)) return LensModel::kRadtan;
+  if (yaml.Has(radtan)) yaml.Fail(equidistant, "left out beside radtan: a camera has one lens");
+  return LensModel::kEquidistant;
+}
+
 CameraIntrinsics ReadIntrinsics(YamlReader& yaml) {
   CameraIntrinsics camera;
   camera.width = static_cast<int>(yaml.Integer("width_px", {16, 8192}));
   camera.height = static_cast<int>(yaml.Integer("height_px", {16, 8192}));
   const auto focal = yaml.Reals("focal_px", {1.0, 1e5}, 2);
   const auto centre = yaml.Reals("principal_point_px", {0.0, 8192.0}, 2);
-  const auto radtan = yaml.Reals("radtan", {-2.0, 2.0}, 4);
+  camera.lens = ReadLens(yaml);
+  const double largest = LargestDistortion(camera.lens);
+  const auto distortion = yaml.Reals(LensKey(camera.lens), {-largest, largest}, 4);
   camera.fx = focal[0];
   camera.fy = focal[1];
   camera.cx = centre[0];
   camera.cy = centre[1];
-  std::copy(radtan.begin(), radtan.end(), camera.distortion.begin());
+  std::copy(distortion.begin(), distortion.end(), camera.distortion.begin());
   return camera;
 }
 
@@ -155,6 +171,12 @@ std::filesystem::path RigFolder() {
 }
 
 }  // namespace
+
+std::string LensKey(LensModel lens) {
+  return lens == LensModel::kRadtan ? "radtan" : "equidistant";
+}
+
+double LargestDistortion(LensModel lens) { return lens == LensModel::kRadtan ? 2.0 : 20.0; }
 
 Rig ReadRig(const YamlNode& root) {
   return ReadYaml(root, [](YamlReader& yaml) {

@@ -13,15 +13,21 @@
 
 namespace drydock {
 
-/// Pinhole with radial-tangential distortion, as OpenCV and EuRoC have it. Pixel centres lie on
-/// integers.
+/// How a lens bends rays before they meet the sensor.
+enum class LensModel {
+  kRadtan,       ///< Radial and tangential polynomials, as OpenCV and EuRoC have it.
+  kEquidistant,  ///< A polynomial in the angle off the axis, as cv::fisheye and Kalibr have it.
+};
+
+/// A pinhole behind a lens. Pixel centres lie on integers.
 struct CameraIntrinsics {
   int width = 0;              ///< [px]
   int height = 0;             ///< [px]
   double fx = 0.0, fy = 0.0;  ///< Focal lengths [px].
   double cx = 0.0, cy = 0.0;  ///< Principal point [px].
-  /// k1, k2 (radial), p1, p2 (tangential).
+  /// Radtan: k1, k2 (radial), p1, p2 (tangential). Equidistant: k1 to k4.
   std::array<double, 4> distortion = {0.0, 0.0, 0.0, 0.0};
+  LensModel lens = LensModel::kRadtan;
 };
 
 /// What a camera's sensor makes of light. Radiance 1 is what a white card sends out that lies flat
@@ -111,6 +117,12 @@ struct Rig {
   bool HasSonar() const { return sonar.rate_hz > 0.0; }
   bool HasDepth() const { return depth.rate_hz > 0.0; }
 };
+
+/// The key of a rig's YAML that has the coefficients of such a lens: "radtan" or "equidistant".
+std::string LensKey(LensModel lens);
+
+/// What a coefficient of such a lens may be at most, either way: beyond that it is a slip.
+double LargestDistortion(LensModel lens);
 
 /// Reads a rig's YAML strictly; InputError with file, line and key.
 Rig ReadRig(const YamlNode& root);

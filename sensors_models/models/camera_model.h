@@ -1,4 +1,4 @@
-// A pinhole camera with radial-tangential distortion.
+// A pinhole camera behind a radial-tangential or an equidistant lens.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,11 @@ struct ProjectedPoint {
 };
 
 /// Maps points in the camera frame C (x right, y down, z forward) to pixels and back. Agrees with
-/// cv::projectPoints for the distortion (k1, k2, p1, p2).
+/// cv::projectPoints for a radtan lens (k1, k2, p1, p2), with cv::fisheye::projectPoints for an
+/// equidistant one (k1 to k4).
 class CameraModel {
  public:
-  explicit CameraModel(const CameraIntrinsics& intrinsics) : intrinsics_(intrinsics) {}
+  explicit CameraModel(const CameraIntrinsics& intrinsics);
 
   const CameraIntrinsics& intrinsics() const { return intrinsics_; }
 
@@ -30,8 +31,11 @@ class CameraModel {
   std::optional<ProjectedPoint> ProjectWithJacobian(const Eigen::Vector3d& p_C) const;
 
   /// The point on the plane z = 1 of C that `pixel` sees; nothing where the distortion cannot be
-  /// inverted.
+  /// inverted, or where an equidistant lens looks more than EquidistantLens::kWidest off its axis.
   std::optional<Eigen::Vector2d> Unproject(const Eigen::Vector2d& pixel) const;
+
+  /// d(pixel) / d(ideal) at a point of the plane z = 1 of C [px].
+  Eigen::Matrix2d PixelByIdeal(const Eigen::Vector2d& ideal) const;
 
   /// Pixel centres from 0 to size - 1, each widened by half a pixel.
   bool IsInside(const Eigen::Vector2d& pixel) const;
@@ -41,6 +45,7 @@ class CameraModel {
   Eigen::Matrix2d DistortJacobian(const Eigen::Vector2d& ideal) const;
 
   CameraIntrinsics intrinsics_;
+  double reach_ = 0.0;  // Of an equidistant lens.
 };
 
 }  // namespace drydock

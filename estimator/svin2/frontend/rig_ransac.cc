@@ -96,20 +96,40 @@ class Consensus {
     return poses;
   }
 
-  // One observation's part of the normal equations, on the plane z = 1 times the focal length.
+  // An observation's error [px] and its derivative by p_C.
+  struct Linear {
+    Eigen::Vector2d error;
+    Eigen::Matrix<double, 2, 3> by_point;
+  };
+
+  // Of a radtan lens on the plane z = 1 times the focal length, which is the image but for some
+  // per cent; a fisheye shrinks its border several times.
+  std::optional<Linear> Linearise(std::size_t i, const Eigen::Vector3d& p_C) const {
+    const LandmarkObservation& seen = observations_[i];
+    const CameraModel& camera = rig_.camera(seen.camera);
+    if (!ideal_[i].has_value() || p_C.z() < 1e-3) return std::nullopt;
+    if (camera.intrinsics().lens == LensModel::kEquidistant) {
+      const auto projected = camera.ProjectWithJacobian(p_C);
+      if (!projected.has_value()) return std::nullopt;
+      return Linear{seen.pixel - projected->pixel, projected->by_point};
+    }
+    const double focal = camera.intrinsics().fx;
+    const Eigen::Vector2d predicted = p_C.head<2>() / p_C.z();
+    Linear linear{focal * (*ideal_[i] - predicted), {}};
+    linear.by_point << Eigen::Matrix2d::Identity(), -predicted;
+    linear.by_point *= focal / p_C.z();
+    return linear;
+  }
+
+  // One observation's part of the normal equations.
   void AddTo(Eigen::Matrix<double, 6, 6>& normal, Vector6d& right, const Pose& T_WI,
              std::size_t i) const {
     const LandmarkObservation& seen = observations_[i];
-    if (!ideal_[i].has_value()) return;
     const Eigen::Matrix3d R_CW = T_CI_[seen.camera].R() * T_WI.R().transpose();
     const Eigen::Vector3d p_C = T_CI_[seen.camera] * (T_WI.Inverse() * seen.p_W);
-    if (p_C.z() < 1e-3) return;
-    const double focal = rig_.camera(seen.camera).intrinsics().fx;
-    const Eigen::Vector2d predicted = p_C.head<2>() / p_C.z();
-    const Eigen::Vector2d error = focal * (*ideal_[i] - predicted);
-    Eigen::Matrix<double, 2, 3> by_point;
-    by_point << Eigen::Matrix2d::Identity(), -predicted;
-    by_point *= focal / p_C.z();
+    const std::optional<Linear> linear = Linearise(i, p_C);
+    if (!linear) return;
+    const auto& [error, by_point] = *linear;
     // T_WI moved by [dp; da] on the left: p_C changes by R_CW (-dp + [p_W - p_WI]x da).
     Eigen::Matrix<double, 2, 6> jacobian;
     jacobian << -by_point * R_CW, by_point * R_CW * Skew(seen.p_W - T_WI.p());

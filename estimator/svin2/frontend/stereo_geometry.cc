@@ -1,8 +1,21 @@
 #include "estimator/svin2/frontend/stereo_geometry.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace drydock::svin2 {
+namespace {
+
+// The line that `normal` cuts out of z = 1, as a normal in pixels of `camera` about `ideal`.
+Eigen::Vector2d AcrossLine(const CameraModel& camera, const Eigen::Vector2d& ideal,
+                           const Eigen::Vector3d& normal) {
+  // What a radtan lens changes of it is some per cent; a fisheye's border is shrunk several times.
+  if (camera.intrinsics().lens == LensModel::kEquidistant)
+    return camera.PixelByIdeal(ideal).inverse().transpose() * normal.head<2>();
+  return {normal.x() / camera.intrinsics().fx, normal.y() / camera.intrinsics().fy};
+}
+
+}  // namespace
 
 std::optional<double> EpipolarDistance(const CameraModel& a, const Eigen::Vector2d& pixel_a,
                                        const CameraModel& b, const Eigen::Vector2d& pixel_b,
@@ -14,9 +27,7 @@ std::optional<double> EpipolarDistance(const CameraModel& a, const Eigen::Vector
   const Eigen::Vector3d normal = T_BA.p().cross(T_BA.q() * ideal_a->homogeneous());
   const double length = normal.head<2>().norm();
   if (!(length > 1e-9 * T_BA.p().norm())) return std::nullopt;
-  // In pixels across the line: x and y are stretched by their own focal lengths.
-  const Eigen::Vector2d across(normal.x() / b.intrinsics().fx, normal.y() / b.intrinsics().fy);
-  return std::abs(normal.dot(ideal_b->homogeneous())) / across.norm();
+  return std::abs(normal.dot(ideal_b->homogeneous())) / AcrossLine(b, *ideal_b, normal).norm();
 }
 
 StereoGeometry::StereoGeometry(const StereoSheet& sheet)

@@ -11,9 +11,9 @@
 
 namespace drydock::svin2 {
 
-/// How far `pixel_b` lies from the epipolar line of `pixel_a` [px of b, without distortion]. T_BA
-/// maps points of camera a into camera b. Nothing where a pixel has no ray or there is no line
-/// (the ray of a goes through b).
+/// How far `pixel_b` lies from the epipolar line of `pixel_a` [px of b, but
+/// without what a radtan lens distorts]. T_BA maps points of camera a into camera b. Nothing where
+/// a pixel has no ray or there is no line (the ray of a goes through b).
 std::optional<double> EpipolarDistance(const CameraModel& a, const Eigen::Vector2d& pixel_a,
                                        const CameraModel& b, const Eigen::Vector2d& pixel_b,
                                        const Pose& T_BA);

@@ -1,5 +1,6 @@
 #include "estimator/svin2/odometry/svin2.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,8 +13,13 @@ namespace {
 
 /// A frame waits this long for the IMU samples up to its time.
 constexpr Duration kLongestWait{50'000'000};
-/// From the reading that all others refer to, to its frame [s].
-constexpr double kLongestReferenceAge = 0.07;
+/// From the reading that all others refer to, to its frame [s]: one frame at 15 Hz. Where frames
+/// are rarer, one frame and a little more.
+double LongestReferenceAge(const StereoSheet& sheet) {
+  constexpr double kAnyRate = 0.07, kFrames = 1.05;
+  return sheet.rate_hz > 0.0 ? std::max(kAnyRate, kFrames / sheet.rate_hz) : kAnyRate;
+}
+
 /// Samples this old may still serve an initialisation.
 constexpr Duration kInitialisationSpan{10'000'000'000};
 
@@ -204,7 +210,8 @@ void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
 }
 
 void Svin2::BeginFrom(const InitialisedStart& start) {
-  const Pose T_W_start = Placement(start.frames.front().tracked.t);
+  const InitialisedFrame& origin = start.frames.front();
+  const Pose T_W_start = Placement(origin.tracked.t, origin.T_WI.q());
   if (window_) ++map_id_;
   const auto state_of = [&](const InitialisedFrame& frame) {
     NavState state;
@@ -217,10 +224,10 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
     state.accel_bias = start.bias.accel;
     return state;
   };
-  TrackedFrame first = start.frames.front().tracked;
+  TrackedFrame first = origin.tracked;
   first.is_keyframe = true;
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
-  window_->Start(state_of(start.frames.front()), start_sigmas_, first);
+  window_->Start(state_of(origin), start_sigmas_, first);
   UseDepths();
   monitor_.Restart();
   for (std::size_t k = 1; k < start.frames.size(); ++k) {
@@ -232,12 +239,12 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   Publish();
 }
 
-/// Where a map that begins at `t` is laid in W: at the origin or, after another map, where
-/// that one thought the body to be, upright.
-Pose Svin2::Placement(Time t) const {
+/// Where a map that begins at `t` with the body at its origin, turned by `q`, is laid in W: as it
+/// is or, after another map, where that one thought the body to be, upright.
+Pose Svin2::Placement(Time t, const Eigen::Quaterniond& q) const {
   const auto last = Interpolate(odometry_, t);
   if (!last) return Pose::Identity();
-  return {FromYawPitchRoll(YawOf(last->q()), 0.0, 0.0), last->p()};
+  return {FromYawPitchRoll(YawBetween(q, last->q()), 0.0, 0.0), last->p()};
 }
 
 void Svin2::UseDepths() {
@@ -259,7 +266,8 @@ void Svin2::UseDepth(const TimedDepth& reading) {
   const double height = (state.T_WI * port).z() - age * state.v_W.z();
   if (!depth_reference_) {
     // Every later reading leans on this one: none that has to be carried far.
-    if (age <= kLongestReferenceAge) depth_reference_ = DepthReference{reading.depth, height};
+    if (age <= LongestReferenceAge(rig_.stereo))
+      depth_reference_ = DepthReference{reading.depth, height};
     return;
   }
   const double expected = depth_reference_->depth - (height - depth_reference_->height_W);

@@ -65,7 +65,7 @@ class Svin2 final : public Estimator {
   void Initialise(const TrackedFrame& seen);
   void BeginFrom(const NavState& known, const PendingFrame& pending);
   void BeginFrom(const InitialisedStart& start);
-  Pose Placement(Time t) const;
+  Pose Placement(Time t, const Eigen::Quaterniond& q) const;
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
   void UsePings(const NavState& before, const NavState& now);
   std::optional<SonarPatch> PatchOf(const PingRay& ping) const;

@@ -110,14 +110,24 @@ TEST_F(EurocForeign, TruthOfPosesAloneIsRead) {
   EXPECT_EQ(truth[0].state.T_WI.q().w(), 1.0);
 }
 
-TEST_F(EurocForeign, OtherDistortionModelsAreAClearError) {
+TEST_F(EurocForeign, EquidistantLensesAreRead) {
   Edit("cam0/sensor.yaml", "radial-tangential", "equidistant");
+  Edit("cam0/sensor.yaml", "distortion_coefficients: [",
+       "distortion_coefficients: [-3.5, 0, 0, 0] #");
+  const Rig rig = Open().rig();
+  EXPECT_EQ(rig.stereo.cameras[0].lens, LensModel::kEquidistant);
+  EXPECT_EQ(rig.stereo.cameras[0].distortion, (std::array<double, 4>{-3.5, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(rig.stereo.cameras[1].lens, LensModel::kRadtan);
+}
+
+TEST_F(EurocForeign, OtherDistortionModelsAreAClearError) {
+  Edit("cam0/sensor.yaml", "radial-tangential", "fov");
   try {
     Open();
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("cam0/sensor.yaml:14"), HasSubstr("equidistant"),
-                                    HasSubstr("radial-tangential")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("cam0/sensor.yaml:14"), HasSubstr("is fov"),
+                                    HasSubstr("one of radial-tangential, equidistant")));
   }
 }
 

@@ -144,6 +144,33 @@ TEST_F(EurocRoundTrip, FilesAreAsEurocHasThem) {
             9);
 }
 
+TEST_F(EurocRoundTrip, FisheyesComeBackFromOurRigAndFromTheSheets) {
+  Rig rig = SmallRig();
+  rig.stereo.cameras[1].lens = LensModel::kEquidistant;
+  rig.stereo.cameras[1].distortion = {-0.01, 2.5, 0.02, -0.003};
+  EurocWriter writer(rig, target());
+  for (const Measurement& measurement : SmallDive()) writer.Add(measurement);
+  writer.Commit();
+  EXPECT_THAT(ReadFile(mav0() / "cam1/sensor.yaml"),
+              HasSubstr("distortion_model: equidistant\n"
+                        "distortion_coefficients: [-0.01, 2.5, 0.02, -0.003]  # k1, k2, k3, k4\n"));
+  const auto expect_lenses = [&](const Rig& read) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.stereo.cameras[i].lens, rig.stereo.cameras[i].lens);
+      EXPECT_EQ(read.stereo.cameras[i].distortion, rig.stereo.cameras[i].distortion);
+    }
+  };
+  expect_lenses(EurocReader(target()).rig());
+  // The same numbers of another lens are another rig.
+  Edit("rig.yaml", "equidistant", "radtan");
+  Edit("rig.yaml", "2.5", "1.5");
+  Edit("cam1/sensor.yaml", "2.5", "1.5");
+  EXPECT_THROW(EurocReader{target()}, InputError);
+  fs::remove(mav0() / "rig.yaml");
+  Edit("cam1/sensor.yaml", "1.5", "2.5");
+  expect_lenses(EurocReader(target()).rig());
+}
+
 TEST_F(EurocRoundTrip, TablesAreSortedByTimeWhateverTheArrival) {
   std::vector<Measurement> dive;
   for (const std::int64_t ns : {30, 10, 20}) {

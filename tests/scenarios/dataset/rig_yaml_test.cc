@@ -23,6 +23,7 @@ void ExpectSame(const Rig& a, const Rig& b) {
     EXPECT_EQ(a.stereo.cameras[i].cy, b.stereo.cameras[i].cy);
     EXPECT_EQ(a.stereo.cameras[i].width, b.stereo.cameras[i].width);
     EXPECT_EQ(a.stereo.cameras[i].height, b.stereo.cameras[i].height);
+    EXPECT_EQ(a.stereo.cameras[i].lens, b.stereo.cameras[i].lens);
     EXPECT_EQ(a.stereo.cameras[i].distortion, b.stereo.cameras[i].distortion);
   }
   EXPECT_EQ(a.imu.rate_hz, b.imu.rate_hz);
@@ -95,6 +96,13 @@ TEST(FormatRig, AlsoWhereItWasDisturbed) {
     rig.sonar.absorption_db_m = random.Uniform(0.0, 3.0);
     ExpectSame(ReadBack(rig), rig);
   }
+}
+
+TEST(FormatRig, NamesTheLens) {
+  Rig rig = LoadRig(FindRig("svin2_v3"));
+  rig.stereo.cameras[1].lens = LensModel::kEquidistant;
+  rig.stereo.cameras[1].distortion = {-0.1, 7.0, 0.3, -1e-17};
+  ExpectSame(ReadBack(rig), rig);
 }
 
 TEST(FormatRig, LeavesOutWhatTheRigDoesNotHave) {

@@ -122,7 +122,11 @@ TEST(Align, PositionAndYawOfOnePose) {
   const Similarity result = AlignPositionAndYaw(pair);
   const Pose aligned = result * pair.estimate;
   EXPECT_LT((aligned.p() - pair.truth.p()).norm(), 1e-14);
-  EXPECT_NEAR(YawOf(aligned.q()), 1.0, 1e-14);
+  // No further turn about z brings it nearer.
+  for (const double turn : {-1e-3, 1e-3}) {
+    EXPECT_GT((FromYawPitchRoll(turn, 0, 0) * aligned.q()).angularDistance(pair.truth.q()),
+              aligned.q().angularDistance(pair.truth.q()));
+  }
   EXPECT_LT((result.rigid.q() * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitZ()).norm(), 1e-14);
 }
 

@@ -122,6 +122,26 @@ TEST(YawPitchRoll, YawComesBackWhateverTheTilt) {
   }
 }
 
+TEST(YawPitchRoll, YawBetweenAsksNotWhichAxisIsForward) {
+  // Level, as EuRoC's body with x up, and tilted.
+  for (const Quaterniond& q : {Quaterniond::Identity(), FromYawPitchRoll(0.2, -kPi / 2, 0.1),
+                               FromYawPitchRoll(-2.0, 0.4, 2.5)}) {
+    for (const double yaw : {-3.0, -1.0, 0.0, 0.5, 3.1}) {
+      EXPECT_NEAR(YawBetween(q, FromYawPitchRoll(yaw, 0.0, 0.0) * q), yaw, kTolerance);
+    }
+  }
+}
+
+TEST(YawPitchRoll, YawBetweenLeavesTheLeastTurn) {
+  const Quaterniond from = FromYawPitchRoll(0.3, 0.2, -0.1), to = FromYawPitchRoll(2.0, -0.4, 0.3);
+  const double best = YawBetween(from, to);
+  const auto left = [&](double yaw) {
+    return (FromYawPitchRoll(yaw, 0.0, 0.0) * from).angularDistance(to);
+  };
+  EXPECT_LT(left(best), left(best + 1e-3));
+  EXPECT_LT(left(best), left(best - 1e-3));
+}
+
 TEST(Pose, GroupLaws) {
   RandomStream random(4, "group");
   for (int i = 0; i < 200; ++i) {

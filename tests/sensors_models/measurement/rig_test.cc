@@ -58,6 +58,16 @@ TEST(Rig, Svin2Version3HasLimits) {
   EXPECT_EQ(rig.depth.resolution_m, 0.002);
 }
 
+TEST(Rig, EachCameraHasALensOfItsOwn) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto right = text.rfind("radtan:");
+  text.replace(right, text.find('\n', right) - right, "equidistant: [0.1, -3, 4, 0.5]");
+  const Rig rig = ReadRig(ParseYaml(text, "mixed.yaml"));
+  EXPECT_EQ(rig.stereo.cameras[0].lens, LensModel::kRadtan);
+  EXPECT_EQ(rig.stereo.cameras[1].lens, LensModel::kEquidistant);
+  EXPECT_EQ(rig.stereo.cameras[1].distortion, (std::array<double, 4>{0.1, -3.0, 4.0, 0.5}));
+}
+
 /// `text` without the lines from the one that has `first` to the one that has `last`.
 std::string WithoutLines(const std::string& text, const std::string& first,
                          const std::string& last) {
@@ -126,6 +136,20 @@ INSTANTIATE_TEST_SUITE_P(
         Edit{"ThreeNumbers", "[-0.5, 0.5, -0.5, 0.5]", "[-0.5, 0.5, -0.5]", "4 numbers"},
         Edit{"FarAway", "[0.040, 0.084, -0.005]", "[40.0, 0.084, -0.005]", "position_m.0"},
         Edit{"TwoSizes", "width_px: 800", "width_px: 400", "same size"},
+        Edit{"NoLens", "      radtan: [-0.160, 0.102, 0.0, 0.0]\n", "",
+             "broken.yaml:21: a camera needs one of the keys 'radtan' and 'equidistant'"},
+        Edit{"TwoLenses", "      radtan: [-0.160, 0.102, 0.0, 0.0]\n",
+             "      radtan: [0, 0, 0, 0]\n      equidistant: [0, 0, 0, 0]\n",
+             "broken.yaml:28: stereo.cameras.0.equidistant is a list, must be left out beside "
+             "radtan"},
+        Edit{"FiveOfALens", "radtan: [-0.160, 0.102, 0.0, 0.0]", "equidistant: [0, 0, 0, 0, 0]",
+             "broken.yaml:27: stereo.cameras.0.equidistant is a list, must be a list of 4 numbers"},
+        Edit{"HugeFisheye", "radtan: [-0.160, 0.102, 0.0, 0.0]", "equidistant: [0, 21, 0, 0]",
+             "stereo.cameras.0.equidistant.1 is 21, must be a number from -20 to 20"},
+        Edit{"HugeRadtan", "radtan: [-0.160, 0.102, 0.0, 0.0]", "radtan: [0, 21, 0, 0]",
+             "stereo.cameras.0.radtan.1 is 21, must be a number from -2 to 2"},
+        Edit{"LensByAnotherName", "radtan: [-0.160", "fisheye: [-0.160",
+             "broken.yaml:21: a camera needs one of the keys"},
         Edit{"Focal", "[575.3, 574.6]", "[575.3, -574.6]", "focal_px.1"},
         Edit{"Nan", "1.60e-4", ".nan", "gyro_noise_density_rad_s_sqrthz"},
         Edit{"Ranges", "max_range_m: 6.0", "max_range_m: 0.1", "more than min_range_m"},

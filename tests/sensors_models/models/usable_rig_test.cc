@@ -35,6 +35,56 @@ TEST(UsableRig, FindsWhereTheDistortionFolds) {
   }
 }
 
+CameraIntrinsics Fisheye(double k1) {
+  CameraIntrinsics camera = Camera(k1);
+  camera.lens = LensModel::kEquidistant;
+  return camera;
+}
+
+// t (1 + k t^2) with k < 0 rises up to t = sqrt(-1 / (3 k)), to 2/3 of that. With twice the focal
+// length the corners are at 0.7036: k > -0.2993.
+TEST(UsableRig, FindsWhereAFisheyeFolds) {
+  CameraIntrinsics camera = Fisheye(-0.295);
+  camera.fx = camera.fy = 200.0;
+  EXPECT_NO_THROW(RequireUsable(camera, "here"));
+  camera.distortion[0] = -0.304;
+  try {
+    RequireUsable(camera, "here");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("here: the distortion folds over"));
+  }
+}
+
+// Of a full fisheye the border looks back: that is no fold. But something must look ahead.
+TEST(UsableRig, AFisheyesBorderMayLookBack) {
+  CameraIntrinsics camera = Fisheye(0.0);
+  camera.fx = camera.fy = 50.0;  // 114 degrees to the sides.
+  EXPECT_NO_THROW(RequireUsable(camera, "here"));
+  camera.cx = 199.0;  // The middle of the image looks 114 degrees aside.
+  try {
+    RequireUsable(camera, "here");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("here: the middle of the image looks"));
+  }
+}
+
+TEST(UsableRig, NamesTheLensThatFolds) {
+  std::string text = ReadFile(FindRig("svin2_v3"));
+  const auto left = text.find("radtan:");
+  text.replace(left, text.find('\n', left) - left, "equidistant: [-1.5, 0, 0, 0]");
+  const auto file = std::filesystem::path(testing::TempDir()) / "drydock_usable_fisheye.yaml";
+  WriteFileAtomically(file, text);
+  try {
+    LoadUsableRig(file);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("stereo.cameras.0.equidistant: the distortion"));
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(UsableRig, NamesFileAndLine) {
   EXPECT_NO_THROW(LoadUsableRig(FindRig("svin2_v3")));
   std::string text = ReadFile(FindRig("svin2_v3"));

@@ -23,7 +23,9 @@ using testing::WriteScene;
 
 const Eigen::Quaterniond kCameraInBody(0.5, -0.5, 0.5, -0.5);
 
-CameraIntrinsics Camera(bool distorted) {
+enum class Distortion { kNone, kRadtan, kEquidistant };
+
+CameraIntrinsics Camera(Distortion distortion) {
   CameraIntrinsics camera;
   camera.width = 800;
   camera.height = 600;
@@ -31,7 +33,11 @@ CameraIntrinsics Camera(bool distorted) {
   camera.fy = 574.6;
   camera.cx = 399.4;
   camera.cy = 288.3;  // Well off the centre.
-  if (distorted) camera.distortion = {-0.16, 0.102, 0.001, -0.0007};
+  if (distortion == Distortion::kRadtan) camera.distortion = {-0.16, 0.102, 0.001, -0.0007};
+  if (distortion == Distortion::kEquidistant) {
+    camera.lens = LensModel::kEquidistant;
+    camera.distortion = {-0.013, 0.021, -0.012, 0.0024};
+  }
   return camera;
 }
 
@@ -51,7 +57,7 @@ Eigen::Vector2d Centroid(const cv::Mat& grey, const Eigen::Vector2d& where, int 
   return sum.head<2>() / sum.z();
 }
 
-class MarkerTest : public ::testing::TestWithParam<bool> {};
+class MarkerTest : public ::testing::TestWithParam<Distortion> {};
 
 // Shows that frames, intrinsics, the off-centre frustum, the flipped rows and the lens are right:
 // from a turned rig, in both eyes, markers are seen where the model puts them.
@@ -105,8 +111,13 @@ TEST_P(MarkerTest, MarkersAreSeenWhereTheModelPutsThem) {
   EXPECT_LT(worst, 0.15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Distortion, MarkerTest, ::testing::Values(false, true),
-                         ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Lenses, MarkerTest,
+                         ::testing::Values(Distortion::kNone, Distortion::kRadtan,
+                                           Distortion::kEquidistant),
+                         [](const auto& test) {
+                           if (test.param == Distortion::kNone) return "None";
+                           return test.param == Distortion::kRadtan ? "Radtan" : "Equidistant";
+                         });
 
 TEST(Renderer, DepthAgreesWithEmbree) {
   const TemporaryFolder folder;

@@ -26,6 +26,23 @@ StereoGeometry Rig() {
   return StereoGeometry(sheet);
 }
 
+/// The same with fisheyes, whose corners look 66 degrees aside.
+StereoGeometry WideRig() {
+  StereoSheet sheet;
+  for (int i = 0; i < 2; ++i) {
+    sheet.cameras[i] = {.width = 800,
+                        .height = 600,
+                        .fx = 430.0,
+                        .fy = 431.0,
+                        .cx = 399.0,
+                        .cy = 289.0,
+                        .distortion = {-0.013, 0.021, -0.012, 0.0024},
+                        .lens = LensModel::kEquidistant};
+    sheet.T_IC[i] = Rig().T_IC(i);
+  }
+  return StereoGeometry(sheet);
+}
+
 struct Scene {
   Pose T_WI;
   std::vector<LandmarkObservation> observations;
@@ -34,14 +51,16 @@ struct Scene {
 
 // 60 landmarks 1 to 6 m ahead, each seen by one camera to 0.5 px; of these `outliers` are seen
 // anywhere in the image instead.
-Scene MakeScene(const StereoGeometry& rig, std::uint64_t seed, double outliers) {
+Scene MakeScene(const StereoGeometry& rig, std::uint64_t seed, double outliers,
+                double spread = 1.0) {
   RandomStream random(seed, "scene");
   Scene scene;
   scene.T_WI = Pose(FromYawPitchRoll(random.Uniform(-3.0, 3.0), random.Uniform(-0.5, 0.5), 0.1),
                     {random.Uniform(-5.0, 5.0), 2.0, -1.0});
   while (scene.observations.size() < 60) {
     const double x = random.Uniform(1.0, 6.0);
-    const Eigen::Vector3d p_I(x, x * random.Uniform(-0.6, 0.6), x * random.Uniform(-0.45, 0.45));
+    const Eigen::Vector3d p_I(x, x * random.Uniform(-0.6 * spread, 0.6 * spread),
+                              x * random.Uniform(-0.45 * spread, 0.45 * spread));
     const int camera = random.Uniform() < 0.5 ? 0 : 1;
     auto pixel = rig.camera(camera).Project(rig.T_IC(camera).Inverse() * p_I);
     if (!pixel.has_value() || !rig.camera(camera).IsInside(*pixel)) continue;
@@ -73,6 +92,22 @@ TEST(RigRansac, FindsThePoseWith40PercentOutliersForEverySeed) {
                               scene.right_ones.begin(), scene.right_ones.end()))
         << seed;
     EXPECT_LE(found->inliers.size(), scene.right_ones.size() + 2) << seed;
+  }
+}
+
+// Points up to 62 degrees off the axis; the radii there are shrunk four times.
+TEST(RigRansac, FindsThePoseThroughFisheyes) {
+  const StereoGeometry rig = WideRig();
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Scene scene = MakeScene(rig, seed, 0.4, 2.5);
+    const auto found = EstimateRigPose(rig, scene.observations, std::nullopt, seed);
+    ASSERT_TRUE(found.has_value()) << seed;
+    const Vector6d error = found->T_WI.BoxMinus(scene.T_WI);
+    EXPECT_LT(error.head<3>().norm(), 0.01) << seed;
+    EXPECT_LT(error.tail<3>().norm(), 0.003) << seed;
+    EXPECT_TRUE(std::includes(found->inliers.begin(), found->inliers.end(),
+                              scene.right_ones.begin(), scene.right_ones.end()))
+        << seed;
   }
 }
 

@@ -35,6 +35,29 @@ TEST(StereoGeometry, PointsLieOnTheirEpipolarLines) {
   }
 }
 
+// A fisheye's lines are curves; about a point they are straight, and 2 px across one are 2 px, also
+// 60 degrees off the axis, where z = 1 is stretched fourfold.
+TEST(StereoGeometry, EpipolarDistancesOfAFisheyeArePixels) {
+  StereoSheet sheet = HalfRig();
+  for (CameraIntrinsics& camera : sheet.cameras) {
+    camera.lens = LensModel::kEquidistant;
+    camera.distortion = {-0.013, 0.021, -0.012, 0.0024};
+  }
+  const StereoGeometry geometry(sheet);
+  for (const Eigen::Vector3d& p_I :
+       {Eigen::Vector3d(2.0, 0.3, 0.2), Eigen::Vector3d(1.0, -1.7, 0.3),
+        Eigen::Vector3d(1.0, 1.2, -1.2)}) {
+    const auto left = geometry.camera(0).Project(geometry.T_IC(0).Inverse() * p_I).value();
+    const auto right = geometry.camera(1).Project(geometry.T_IC(1).Inverse() * p_I).value();
+    EXPECT_LT(geometry.EpipolarDistance(left, right).value(), 1e-9);
+    // Along the curve, by a slightly different depth.
+    const double z = (geometry.T_IC(0).Inverse() * p_I).z();
+    const Eigen::Vector2d along = (geometry.Transfer(left, 1.001 / z).value() - right).normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    EXPECT_NEAR(geometry.EpipolarDistance(left, right + 2.0 * across).value(), 2.0, 0.1);
+  }
+}
+
 TEST(StereoGeometry, HasNoLineThroughTheOtherCamera) {
   const StereoSheet sheet = HalfRig();
   const CameraModel camera(sheet.cameras[0]);

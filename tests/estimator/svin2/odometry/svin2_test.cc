@@ -31,9 +31,10 @@ Rig SyntheticRig() {
 /// from the landmarks.
 class SyntheticDive {
  public:
-  explicit SyntheticDive(const Svin2Config& config = {}) : tracks_(300, 0.0) {
+  explicit SyntheticDive(const Svin2Config& config = {}, const Rig& rig = SyntheticRig())
+      : tracks_(300, 0.0) {
     estimator = std::make_unique<Svin2>(
-        SyntheticRig(), config,
+        rig, config,
         [this](Time t, const StereoFrame&, const std::optional<MotionPrediction>&,
                const LandmarkLookup&) {
           TrackedFrame seen = tracks_.See(t, testing::MotionAt(t).T_WI);
@@ -44,10 +45,10 @@ class SyntheticDive {
 
   void RunTo(double seconds) {
     for (; now_ <= Time::FromSeconds(seconds); now_ = now_ + kImuPeriod) {
-      if (now_.ns % kFramePeriod.ns == 0) Add(StereoFrame{});
+      if ((now_ - first_frame).ns % frame_period.ns == 0) Add(StereoFrame{});
       if (now_.ns % 1'000'000'000 == 0) {
         const double z = (testing::MotionAt(now_).T_WI * SyntheticRig().depth.p_ID).z();
-        Add(DepthSample{kSurface - z});
+        Add(DepthSample{kSurface - z + depth_error_m});
       }
       Add(testing::MotionImu(now_));
       for (EstimatorEvent& event : estimator->TakeEvents()) said += event.message + "\n";
@@ -56,6 +57,9 @@ class SyntheticDive {
 
   std::unique_ptr<Svin2> estimator;
   std::function<bool(Time)> is_dark;
+  Time first_frame;
+  Duration frame_period = kFramePeriod;
+  double depth_error_m = 0.0;
   std::string said;
 
  private:
@@ -87,6 +91,22 @@ TEST(Svin2, FollowsTheTruthFromAKnownStart) {
   EXPECT_TRUE(dive.estimator->Latest()->pose_covariance.has_value());
   EXPECT_FALSE(dive.estimator->Map().landmarks.empty());
   EXPECT_EQ(dive.said, "");
+}
+
+// At 10 Hz, each reading 80 ms before a frame: also then one of them is what the others refer to,
+// and one that is 3 m wrong is found out.
+TEST(Svin2, UsesDepthWhereFramesAreRareToo) {
+  Rig rig = SyntheticRig();
+  rig.stereo.rate_hz = 10.0;
+  SyntheticDive dive({}, rig);
+  dive.frame_period = Duration{100'000'000};
+  dive.first_frame = Time{80'000'000};
+  dive.estimator->Start(testing::MotionAt(Time{}));
+  dive.RunTo(3.5);
+  EXPECT_EQ(dive.said, "");
+  dive.depth_error_m = 3.0;
+  dive.RunTo(4.5);
+  EXPECT_NE(dive.said.find("was not believed"), std::string::npos) << dive.said;
 }
 
 TEST(Svin2, InitialisesItselfInMotion) {
