@@ -64,7 +64,7 @@ std::optional<Similarity> AlignUmeyama(const std::vector<PosePair>& pairs, bool 
   const Moments moments = MomentsOf(pairs);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments.covariance_yx,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d d = svd.singularValues();
+  const Eigen::Vector3d& d = svd.singularValues();
   if (!(d(1) > std::numeric_limits<double>::epsilon())) return std::nullopt;
   const bool mirrored = svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0;
   const Eigen::Vector3d s(1.0, 1.0, mirrored ? -1.0 : 1.0);
