@@ -1,6 +1,8 @@
 #include "estimator/svin2/window/sliding_window.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "estimator/svin2/factors/imu_factor.h"
@@ -9,6 +11,9 @@
 
 namespace drydock::svin2 {
 namespace {
+
+/// Of a body that swims, beyond which it rises evenly [m/s^2].
+constexpr double kVerticalAcceleration = 0.5;
 
 ImuBias BiasOf(const NavState& state) { return {state.gyro_bias, state.accel_bias}; }
 
@@ -101,20 +106,24 @@ void SlidingWindow::TriangulateNewLandmarks() {
   }
 }
 
-void SlidingWindow::AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
-                             const Eigen::Vector3d& rate_I) {
-  const Frame* nearest = nullptr;
-  const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
-  for (const Frame& frame : frames_) {
-    if (!frame.speed_bias) continue;
-    if (nearest == nullptr || distance(frame) < distance(*nearest)) nearest = &frame;
-  }
-  if (nearest == nullptr) return;
-  observation.since_frame = t - nearest->t;
+void SlidingWindow::AddDepth(Time t, DepthObservation observation, const Eigen::Vector3d& rate_I) {
+  const Frame& frame = NearestMoving(t);
+  const double dt = (t - frame.t).Seconds();
+  observation.since_frame = t - frame.t;
   // The port as the frame's body would have it at the time of the reading.
-  observation.p_ID = ExpSO3(observation.since_frame.Seconds() * rate_I) * observation.p_ID;
-  graph_.AddFactor(std::make_unique<DepthFactor>(observation, reference),
-                   {nearest->pose, *nearest->speed_bias});
+  observation.p_ID = ExpSO3(dt * rate_I) * observation.p_ID;
+  observation.sigma = std::hypot(observation.sigma, 0.5 * kVerticalAcceleration * dt * dt);
+  if (!surface_) {
+    const NavState state = StateOf(frame);
+    const double height = (state.T_WI * observation.p_ID).z() + state.v_W.z() * dt;
+    surface_ = graph_.AddBlock(std::array{height + observation.depth});
+  }
+  graph_.AddFactor(std::make_unique<DepthFactor>(observation),
+                   {frame.pose, *frame.speed_bias, *surface_});
+}
+
+std::optional<double> SlidingWindow::SurfaceHeight() const {
+  return surface_ ? std::optional(graph_.Values(*surface_).front()) : std::nullopt;
 }
 
 void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated) {
@@ -273,6 +282,15 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
 const SlidingWindow::Frame& SlidingWindow::FrameAt(std::int64_t index) const {
   return *std::lower_bound(frames_.begin(), frames_.end(), index,
                            [](const Frame& frame, std::int64_t at) { return frame.index < at; });
+}
+
+/// Of the frames that have a velocity; the latest always has.
+const SlidingWindow::Frame& SlidingWindow::NearestMoving(Time t) const {
+  const Frame* nearest = &frames_.back();
+  const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
+  for (const Frame& frame : frames_)
+    if (frame.speed_bias && distance(frame) < distance(*nearest)) nearest = &frame;
+  return *nearest;
 }
 
 int SlidingWindow::NumRecent() const {

@@ -49,10 +49,13 @@ class SlidingWindow {
 
   /// Adds the next frame, which `imu` links to the last one, at the state that the IMU predicts.
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
-  /// Ties a pressure reading taken at `t`, while the body turned at `rate_I` [rad/s, in I], to the
-  /// frame nearest to it.
-  void AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
+  /// Ties a pressure reading that was true at `t`, while the body turned at `rate_I` [rad/s, in I],
+  /// to the frame nearest to it. From there the body is taken to rise evenly, which a longer way
+  /// makes less sure: observation.sigma is of the reading alone. The first one finds the surface.
+  void AddDepth(Time t, DepthObservation observation,
                 const Eigen::Vector3d& rate_I = Eigen::Vector3d::Zero());
+  /// Height at which the pressure sensor would read 0 [m, in W]; nothing before the first reading.
+  std::optional<double> SurfaceHeight() const;
 
   /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
   /// the observation holds the others. When a landmark or the frame leaves, what is left of the
@@ -128,6 +131,7 @@ class SlidingWindow {
   void FixPingsOf(std::int64_t frame);
   Eigen::Vector3d PositionOf(const Point& point) const;
   const Frame& FrameAt(std::int64_t index) const;
+  const Frame& NearestMoving(Time t) const;
   int NumRecent() const;
   NavState StateOf(const Frame& frame) const;
 
@@ -135,6 +139,7 @@ class SlidingWindow {
   StereoGeometry geometry_;
   FactorGraph graph_;
   std::deque<Frame> frames_;  // The oldest first.
+  std::optional<BlockId> surface_;
   std::map<LandmarkId, Point> points_;
   std::vector<Ping> pings_;
   std::vector<Eigen::Vector3d> departed_;
