@@ -15,20 +15,6 @@ constexpr Duration kLongestWait{50'000'000};
 /// Samples this old may still serve an initialisation.
 constexpr Duration kInitialisationSpan{10'000'000'000};
 
-ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation) {
-  ImuNoiseModel noise;
-  const auto inflate = [inflation](double& value, double of_sheet) {
-    if (of_sheet > 0.0) value = inflation * of_sheet;
-  };
-  inflate(noise.gyro_noise_density, sheet.gyro_noise_density);
-  inflate(noise.accel_noise_density, sheet.accel_noise_density);
-  inflate(noise.gyro_bias_walk, sheet.gyro_bias_walk);
-  inflate(noise.accel_bias_walk, sheet.accel_bias_walk);
-  noise.gyro_range = sheet.gyro_range;
-  noise.accel_range = sheet.accel_range;
-  return noise;
-}
-
 /// Biases at the start are as likely as the sheet says, where it does.
 StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
   StartSigmas sigmas = config;
