@@ -232,14 +232,15 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
   observation.sigma_range = SonarRangeSigma(rig_.sonar);
   observation.sigma_patch = best->sigma;
   std::vector<LandmarkId> estimated;
+  std::vector<Eigen::Vector3d> departed;
   for (const PatchCandidate& member : best->members) {
     if (member.id) {
       estimated.push_back(*member.id);
     } else {
-      observation.fixed_landmarks.push_back(member.p_W);
+      departed.push_back(member.p_W);
     }
   }
-  window_->AddSonar(observation, estimated);
+  window_->AddSonar(observation, estimated, departed);
 }
 
 std::optional<SonarPatch> Svin2::PatchOf(const PingRay& ping) const {

@@ -126,25 +126,35 @@ std::optional<double> SlidingWindow::SurfaceHeight() const {
   return surface_ ? std::optional(graph_.Values(*surface_).front()) : std::nullopt;
 }
 
-void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated) {
-  Ping ping{frames_.back().index, std::move(observation), std::move(estimated), {}};
+void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated,
+                             std::span<const Eigen::Vector3d> departed) {
+  const Frame &oldest = frames_.front(), &latest = frames_.back();
+  if (oldest.index == latest.index) return;
+  Ping ping{latest.index, oldest.index, std::move(observation), std::move(estimated), {}};
+  for (const Eigen::Vector3d& p_W : departed) Hold(ping, p_W);
   ping.factor = AddFactorOf(ping);
   pings_.push_back(std::move(ping));
 }
 
 FactorId SlidingWindow::AddFactorOf(const Ping& ping) {
   std::vector<BlockId> blocks = {FrameAt(ping.frame).pose};
+  if (!ping.observation.held_landmarks.empty()) blocks.push_back(FrameAt(ping.anchor).pose);
   for (const LandmarkId id : ping.estimated) blocks.push_back(*points_.at(id).landmark);
   return graph_.AddFactor(
       std::make_unique<SonarRangeFactor>(ping.observation, ping.estimated.size()), blocks,
       config_.cauchy_scale);
 }
 
-void SlidingWindow::FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which) {
+void SlidingWindow::Hold(Ping& ping, const Eigen::Vector3d& p_W) const {
+  const Pose T_WA = graph_.PoseOf(FrameAt(ping.anchor).pose);
+  ping.observation.held_landmarks.push_back(T_WA.Inverse() * p_W);
+}
+
+void SlidingWindow::HoldLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which) {
   std::vector<LandmarkId> still_estimated;
   for (const LandmarkId id : ping.estimated) {
     if (which(id)) {
-      ping.observation.fixed_landmarks.push_back(PositionOf(points_.at(id)));
+      Hold(ping, PositionOf(points_.at(id)));
     } else {
       still_estimated.push_back(id);
     }
@@ -155,15 +165,18 @@ void SlidingWindow::FixLandmarks(Ping& ping, const std::function<bool(LandmarkId
   ping.factor = AddFactorOf(ping);
 }
 
-void SlidingWindow::FixPingsOf(std::int64_t frame) {
-  for (Ping& ping : pings_)
-    if (ping.frame == frame) FixLandmarks(ping, [](LandmarkId) { return true; });
-  std::erase_if(pings_, [frame](const Ping& ping) { return ping.frame == frame; });
+/// Before a frame is marginalised: its pings then have a say in what is left of it.
+void SlidingWindow::HoldPingsOf(std::int64_t frame) {
+  std::erase_if(pings_, [&](Ping& ping) {
+    if (ping.frame != frame && ping.anchor != frame) return false;
+    HoldLandmarks(ping, [](LandmarkId) { return true; });
+    return true;
+  });
 }
 
 void SlidingWindow::Depart(LandmarkId id, const Point& point) {
   departed_.push_back(PositionOf(point));
-  for (Ping& ping : pings_) FixLandmarks(ping, [id](LandmarkId other) { return other == id; });
+  for (Ping& ping : pings_) HoldLandmarks(ping, [id](LandmarkId other) { return other == id; });
 }
 
 std::vector<Eigen::Vector3d> SlidingWindow::TakeDeparted() { return std::exchange(departed_, {}); }
@@ -242,7 +255,7 @@ void SlidingWindow::Slide() {
       (oldest + 1)->imu.reset();
     } else {
       DropObservations(oldest->index);
-      FixPingsOf(oldest->index);
+      HoldPingsOf(oldest->index);
       const std::array<BlockId, 2> gone = {oldest->pose, *oldest->speed_bias};
       graph_.Marginalise(gone);
       (oldest + 1)->imu.reset();
@@ -274,7 +287,7 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
     }
   }
   DropObservations(frame.index);
-  FixPingsOf(frame.index);
+  HoldPingsOf(frame.index);
   gone.push_back(frame.pose);
   graph_.Marginalise(gone);
 }

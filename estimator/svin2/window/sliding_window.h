@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimator/interface/estimator.h"
@@ -57,10 +58,11 @@ class SlidingWindow {
   /// Height at which the pressure sensor would read 0 [m, in W]; nothing before the first reading.
   std::optional<double> SurfaceHeight() const;
 
-  /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
-  /// the observation holds the others. When a landmark or the frame leaves, what is left of the
-  /// patch counts as fixed.
-  void AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated);
+  /// Ties a ping to the latest frame. Its patch: `estimated` landmarks, which the window has, and
+  /// `departed` ones [m, in W], which are held at the window's oldest frame. Where a landmark or
+  /// one of the two frames leaves, what is left of the patch is held there too.
+  void AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated,
+                std::span<const Eigen::Vector3d> departed);
 
   /// Moves all states to where measurements agree best, and takes away observations that do not.
   SolverReport Optimise();
@@ -110,6 +112,7 @@ class SlidingWindow {
 
   struct Ping {
     std::int64_t frame = 0;
+    std::int64_t anchor = 0;  // A frame before that.
     SonarRangeObservation observation;
     std::vector<LandmarkId> estimated;
     FactorId factor{};
@@ -127,8 +130,9 @@ class SlidingWindow {
   void MarginaliseKeyframe(const Frame& frame);
   void Depart(LandmarkId id, const Point& point);
   FactorId AddFactorOf(const Ping& ping);
-  void FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which);
-  void FixPingsOf(std::int64_t frame);
+  void Hold(Ping& ping, const Eigen::Vector3d& p_W) const;
+  void HoldLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which);
+  void HoldPingsOf(std::int64_t frame);
   Eigen::Vector3d PositionOf(const Point& point) const;
   const Frame& FrameAt(std::int64_t index) const;
   const Frame& NearestMoving(Time t) const;
