@@ -5,8 +5,8 @@
 
 namespace drydock::svin2 {
 
-DepthFactor::DepthFactor(const DepthObservation& observation, const DepthReference& reference)
-    : height_W_(reference.height_W - (observation.depth - reference.depth)),
+DepthFactor::DepthFactor(const DepthObservation& observation)
+    : depth_(observation.depth),
       p_ID_(observation.p_ID),
       dt_(observation.since_frame.Seconds()),
       sigma_(observation.sigma) {
@@ -17,8 +17,9 @@ bool DepthFactor::Evaluate(double const* const* parameters, double* residuals,
                            double** jacobians) const {
   const Pose T_WI = FromParameters(parameters[0]);
   const double v_z = parameters[1][2];
+  const double surface = parameters[2][0];
   const Eigen::Vector3d lever_W = T_WI.q() * p_ID_;
-  residuals[0] = (T_WI.p().z() + lever_W.z() + v_z * dt_ - height_W_) / sigma_;
+  residuals[0] = (T_WI.p().z() + lever_W.z() + v_z * dt_ + depth_ - surface) / sigma_;
   if (jacobians == nullptr) return true;
 
   if (jacobians[0] != nullptr) {
@@ -31,6 +32,7 @@ bool DepthFactor::Evaluate(double const* const* parameters, double* residuals,
     block.setZero();
     block[2] = dt_ / sigma_;
   }
+  if (jacobians[2] != nullptr) jacobians[2][0] = -1.0 / sigma_;
   return true;
 }
 

@@ -12,19 +12,25 @@ SonarRangeFactor::SonarRangeFactor(const SonarRangeObservation& observation, std
       p_IS_(observation.T_frame_ping * observation.p_IS),
       sigma_(std::hypot(observation.sigma_range, observation.sigma_patch)),
       landmarks_(landmarks),
-      count_(static_cast<double>(landmarks + observation.fixed_landmarks.size())) {
+      held_(observation.held_landmarks.size()),
+      count_(static_cast<double>(landmarks + held_)) {
   Check(observation.sigma_range > 0.0, "a range's standard deviation must be above 0, not {}",
         observation.sigma_range);
   Check(count_ > 0.0, "a sonar patch needs a landmark");
-  for (const Eigen::Vector3d& fixed : observation.fixed_landmarks) fixed_sum_ += fixed;
+  for (const Eigen::Vector3d& held : observation.held_landmarks) held_sum_ += held;
   set_num_residuals(1);
-  mutable_parameter_block_sizes()->push_back(7);
-  for (std::size_t k = 0; k < landmarks; ++k) mutable_parameter_block_sizes()->push_back(3);
+  std::vector<int>& sizes = *mutable_parameter_block_sizes();
+  sizes.assign(FirstLandmark(), 7);
+  sizes.insert(sizes.end(), landmarks, 3);
 }
 
 Eigen::Vector3d SonarRangeFactor::PatchMean(double const* const* parameters) const {
-  Eigen::Vector3d sum = fixed_sum_;
-  for (std::size_t k = 1; k <= landmarks_; ++k)
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  if (held_ > 0) {
+    const Pose T_WA = FromParameters(parameters[1]);
+    sum = T_WA.q() * held_sum_ + static_cast<double>(held_) * T_WA.p();
+  }
+  for (std::size_t k = FirstLandmark(); k < FirstLandmark() + landmarks_; ++k)
     sum += Eigen::Map<const Eigen::Vector3d>(parameters[k]);
   return sum / count_;
 }
@@ -46,7 +52,13 @@ bool SonarRangeFactor::Evaluate(double const* const* parameters, double* residua
     by_pose << -u, u * Skew(lever_W);
     StorePoseJacobian<1>(parameters[0], by_pose, jacobians[0]);
   }
-  for (std::size_t k = 1; k <= landmarks_; ++k) {
+  if (held_ > 0 && jacobians[1] != nullptr) {
+    Eigen::Matrix<double, 1, 6> by_anchor;
+    by_anchor << static_cast<double>(held_) * u,
+        -u * Skew(FromParameters(parameters[1]).q() * held_sum_);
+    StorePoseJacobian<1>(parameters[1], by_anchor / count_, jacobians[1]);
+  }
+  for (std::size_t k = FirstLandmark(); k < FirstLandmark() + landmarks_; ++k) {
     if (jacobians[k] == nullptr) continue;
     Eigen::Map<Eigen::RowVector3d> block(jacobians[k]);
     block = u / count_;

@@ -13,37 +13,8 @@ namespace {
 
 /// A frame waits this long for the IMU samples up to its time.
 constexpr Duration kLongestWait{50'000'000};
-/// From the reading that all others refer to, to its frame [s]: one frame at 15 Hz. Where frames
-/// are rarer, one frame and a little more.
-double LongestReferenceAge(const StereoSheet& sheet) {
-  constexpr double kAnyRate = 0.07, kFrames = 1.05;
-  return sheet.rate_hz > 0.0 ? std::max(kAnyRate, kFrames / sheet.rate_hz) : kAnyRate;
-}
-
 /// Samples this old may still serve an initialisation.
 constexpr Duration kInitialisationSpan{10'000'000'000};
-
-ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation) {
-  ImuNoiseModel noise;
-  const auto inflate = [inflation](double& value, double of_sheet) {
-    if (of_sheet > 0.0) value = inflation * of_sheet;
-  };
-  inflate(noise.gyro_noise_density, sheet.gyro_noise_density);
-  inflate(noise.accel_noise_density, sheet.accel_noise_density);
-  inflate(noise.gyro_bias_walk, sheet.gyro_bias_walk);
-  inflate(noise.accel_bias_walk, sheet.accel_bias_walk);
-  noise.gyro_range = sheet.gyro_range;
-  noise.accel_range = sheet.accel_range;
-  return noise;
-}
-
-/// Of a reading against the first one [m]: both are noisy and rounded, and between frames the body
-/// is taken to rise evenly.
-double DepthSigma(const DepthSheet& sheet) {
-  constexpr double kBetweenFrames = 2e-3;
-  const double rounding = sheet.resolution_m / std::sqrt(12.0);
-  return std::hypot(std::sqrt(2.0) * sheet.noise_m, std::sqrt(2.0) * rounding, kBetweenFrames);
-}
 
 /// Biases at the start are as likely as the sheet says, where it does.
 StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
@@ -68,7 +39,7 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
       initialiser_(config.initialiser, rig.stereo, imu_.noise(), InitialisersDepth(rig, config)),
-      depth_gate_(config.depth_gate),
+      depths_(rig.depth, config.depth_gate),
       monitor_(config.tracking),
       landmark_memory_(Duration::FromSeconds(config.sonar.memory_s)) {}
 
@@ -80,7 +51,8 @@ void Svin2::Add(const Measurement& measurement) {
   } else if (const auto* stereo = std::get_if<StereoFrame>(&measurement.reading)) {
     AddStereo(measurement, *stereo);
   } else if (const auto* depth = std::get_if<DepthSample>(&measurement.reading)) {
-    if (config_.use_depth) AddDepth(measurement.t, *depth);
+    if (config_.use_depth && !depths_.Add(measurement.t, *depth))
+      Refuse(measurement.t, refused_depths_, "a depth reading");
   } else if (const auto* ping = std::get_if<SonarPing>(&measurement.reading)) {
     if (config_.use_sonar && rig_.HasSonar()) AddPing(measurement.t, *ping);
   }
@@ -94,16 +66,6 @@ void Svin2::AddStereo(const Measurement& measurement, const StereoFrame& images)
   }
   last_frame_ = measurement.t;
   frames_.push_back({measurement.t, measurement.t_arrival, images});
-}
-
-void Svin2::AddDepth(Time t, const DepthSample& reading) {
-  if (!std::isfinite(reading.depth) || (last_depth_ && t <= *last_depth_)) {
-    Refuse(t, refused_depths_, "a depth reading");
-    return;
-  }
-  last_depth_ = t;
-  depths_.push_back({t, reading.depth});
-  initialiser_depths_.push_back({t, reading.depth});
 }
 
 void Svin2::AddPing(Time t, const SonarPing& ping) {
@@ -150,7 +112,7 @@ void Svin2::Process(const PendingFrame& pending) {
     Initialise(Track(pending, std::nullopt));
   }
   last_tracked_ = pending.t;
-  initialiser_depths_.clear();
+  depths_.NextFrame();
   imu_.ForgetBefore(pending.t - kInitialisationSpan);
 }
 
@@ -191,8 +153,7 @@ void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
 void Svin2::Initialise(const TrackedFrame& seen) {
   const StageClock::Lap lap(clock_, "initialisation");
   const Time since = last_tracked_.value_or(seen.t - kLongestWait);
-  const auto start =
-      initialiser_.Add(seen, imu_.Between(since, seen.t), std::span(initialiser_depths_));
+  const auto start = initialiser_.Add(seen, imu_.Between(since, seen.t), depths_.SinceLastFrame());
   if (!start) return;
   Say(seen.t, "initialised: " + start->report.Line());
   BeginFrom(*start);
@@ -248,36 +209,7 @@ Pose Svin2::Placement(Time t, const Eigen::Quaterniond& q) const {
 }
 
 void Svin2::UseDepths() {
-  const Time now = window_->Latest().t;
-  while (!depths_.empty() && depths_.front().t <= now) {
-    UseDepth(depths_.front());
-    depths_.pop_front();
-  }
-}
-
-void Svin2::UseDepth(const TimedDepth& reading) {
-  const NavState state = window_->Latest();
-  const double age = (state.t - reading.t).Seconds();
-  const std::vector<TimedImuSample> imu = imu_.Between(reading.t, reading.t);
-  const Eigen::Vector3d rate_I =
-      imu.empty() ? Eigen::Vector3d::Zero()
-                  : Eigen::Vector3d(imu.front().sample.angular_rate - state.gyro_bias);
-  const Eigen::Vector3d port = ExpSO3(-age * rate_I) * rig_.depth.p_ID;
-  const double height = (state.T_WI * port).z() - age * state.v_W.z();
-  if (!depth_reference_) {
-    // Every later reading leans on this one: none that has to be carried far.
-    if (age <= LongestReferenceAge(rig_.stereo))
-      depth_reference_ = DepthReference{reading.depth, height};
-    return;
-  }
-  const double expected = depth_reference_->depth - (height - depth_reference_->height_W);
-  if (!depth_gate_.Believes(reading.t, reading.depth - expected)) {
-    Say(reading.t, fmt::format("a depth of {:.2f} m was not believed: {:.2f} m were expected",
-                               reading.depth, expected));
-    return;
-  }
-  const DepthObservation observation{reading.depth, rig_.depth.p_ID, {}, DepthSigma(rig_.depth)};
-  window_->AddDepth(reading.t, observation, *depth_reference_, rate_I);
+  for (EstimatorEvent& event : depths_.Feed(*window_, imu_)) events_.push_back(std::move(event));
 }
 
 void Svin2::UsePings(const NavState& before, const NavState& now) {
@@ -302,14 +234,15 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
   observation.sigma_range = SonarRangeSigma(rig_.sonar);
   observation.sigma_patch = best->sigma;
   std::vector<LandmarkId> estimated;
+  std::vector<Eigen::Vector3d> departed;
   for (const PatchCandidate& member : best->members) {
     if (member.id) {
       estimated.push_back(*member.id);
     } else {
-      observation.fixed_landmarks.push_back(member.p_W);
+      departed.push_back(member.p_W);
     }
   }
-  window_->AddSonar(observation, estimated);
+  window_->AddSonar(observation, estimated, departed);
 }
 
 std::optional<SonarPatch> Svin2::PatchOf(const PingRay& ping) const {

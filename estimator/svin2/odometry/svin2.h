@@ -10,6 +10,7 @@
 
 #include "estimator/interface/estimator.h"
 #include "estimator/svin2/initialisation/initialiser.h"
+#include "estimator/svin2/odometry/depth_link.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
 #include "estimator/svin2/odometry/svin2_config.h"
 #include "estimator/svin2/sonar/landmark_memory.h"
@@ -53,7 +54,6 @@ class Svin2 final : public Estimator {
   };
 
   void AddStereo(const Measurement& measurement, const StereoFrame& images);
-  void AddDepth(Time t, const DepthSample& reading);
   void AddPing(Time t, const SonarPing& ping);
   void Refuse(Time t, int& count, const char* what);
   void ProcessPending(Time now);
@@ -70,7 +70,6 @@ class Svin2 final : public Estimator {
   void UsePings(const NavState& before, const NavState& now);
   std::optional<SonarPatch> PatchOf(const PingRay& ping) const;
   void UseDepths();
-  void UseDepth(const TimedDepth& reading);
   void Publish();
   void Say(Time t, std::string message);
 
@@ -81,19 +80,15 @@ class Svin2 final : public Estimator {
   ImuBuffer imu_;
   Initialiser initialiser_;
   std::unique_ptr<SlidingWindow> window_;  // Nothing before the first state.
-  DepthGate depth_gate_;
+  DepthLink depths_;
   TrackingMonitor monitor_;
 
   std::deque<PendingFrame> frames_;
-  std::optional<Time> last_frame_;              // Taken in.
-  std::optional<Time> last_tracked_;            // Processed.
-  std::deque<TimedDepth> depths_;               // For the window.
-  std::vector<TimedDepth> initialiser_depths_;  // Since the last frame.
-  std::optional<Time> last_depth_;
+  std::optional<Time> last_frame_;    // Taken in.
+  std::optional<Time> last_tracked_;  // Processed.
   std::deque<PendingPing> pings_;
   std::optional<Time> last_ping_;
   LandmarkMemory landmark_memory_;
-  std::optional<DepthReference> depth_reference_;
   std::optional<NavState> known_;
 
   std::optional<NavEstimate> latest_;

@@ -20,9 +20,9 @@ struct SonarConfig {
 struct Svin2Config {
   bool use_sonar = true;
   bool use_depth = true;
-  /// What is believed of the IMU's noise, as a multiple of its sheet: scale errors, misalignment
-  /// and integration are not in the model.
-  double imu_noise_inflation = 1.5;
+  /// What is believed of the IMU's noise, as a multiple of its sheet. For an IMU whose sheet leaves
+  /// out scale errors, misalignment or vibration, more than 1.
+  double imu_noise_inflation = 1.0;
   FeatureTracker::Config frontend;
   InitialiserConfig initialiser;
   WindowConfig window;

@@ -1,6 +1,8 @@
 // What the estimator believes of its IMU's noise.
 #pragma once
 
+#include "sensors_models/measurement/rig.h"
+
 namespace drydock::svin2 {
 
 /// White noise and random walks, each the same on three axes. The defaults are those that SVIn2's
@@ -18,5 +20,13 @@ struct ImuNoiseModel {
   /// Samples further apart than this leave a gap [s].
   double longest_step_s = 0.05;
 };
+
+/// The sheet's noise times `inflation`; a value that the sheet does not have stays at its default.
+///
+/// Scale errors and misalignment, where the sheet has them, count as walks of the biases. They move
+/// a reading by M x, with x the rate or the force: a bias that changes as x does. An axis has its
+/// own scale error s and leans towards two others by n, m^2 = s^2 + 2 n^2; where x changes within a
+/// time T by c sqrt(T), that bias walks with m c.
+ImuNoiseModel NoiseModelOf(const ImuSheet& sheet, double inflation);
 
 }  // namespace drydock::svin2

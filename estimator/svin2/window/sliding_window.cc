@@ -1,6 +1,8 @@
 #include "estimator/svin2/window/sliding_window.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "estimator/svin2/factors/imu_factor.h"
@@ -9,6 +11,9 @@
 
 namespace drydock::svin2 {
 namespace {
+
+/// Of a body that swims, beyond which it rises evenly [m/s^2].
+constexpr double kVerticalAcceleration = 0.5;
 
 ImuBias BiasOf(const NavState& state) { return {state.gyro_bias, state.accel_bias}; }
 
@@ -101,41 +106,55 @@ void SlidingWindow::TriangulateNewLandmarks() {
   }
 }
 
-void SlidingWindow::AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
-                             const Eigen::Vector3d& rate_I) {
-  const Frame* nearest = nullptr;
-  const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
-  for (const Frame& frame : frames_) {
-    if (!frame.speed_bias) continue;
-    if (nearest == nullptr || distance(frame) < distance(*nearest)) nearest = &frame;
-  }
-  if (nearest == nullptr) return;
-  observation.since_frame = t - nearest->t;
+void SlidingWindow::AddDepth(Time t, DepthObservation observation, const Eigen::Vector3d& rate_I) {
+  const Frame& frame = NearestMoving(t);
+  const double dt = (t - frame.t).Seconds();
+  observation.since_frame = t - frame.t;
   // The port as the frame's body would have it at the time of the reading.
-  observation.p_ID = ExpSO3(observation.since_frame.Seconds() * rate_I) * observation.p_ID;
-  graph_.AddFactor(std::make_unique<DepthFactor>(observation, reference),
-                   {nearest->pose, *nearest->speed_bias});
+  observation.p_ID = ExpSO3(dt * rate_I) * observation.p_ID;
+  observation.sigma = std::hypot(observation.sigma, 0.5 * kVerticalAcceleration * dt * dt);
+  if (!surface_) {
+    const NavState state = StateOf(frame);
+    const double height = (state.T_WI * observation.p_ID).z() + state.v_W.z() * dt;
+    surface_ = graph_.AddBlock(std::array{height + observation.depth});
+  }
+  graph_.AddFactor(std::make_unique<DepthFactor>(observation),
+                   {frame.pose, *frame.speed_bias, *surface_});
 }
 
-void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated) {
-  Ping ping{frames_.back().index, std::move(observation), std::move(estimated), {}};
+std::optional<double> SlidingWindow::SurfaceHeight() const {
+  return surface_ ? std::optional(graph_.Values(*surface_).front()) : std::nullopt;
+}
+
+void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated,
+                             std::span<const Eigen::Vector3d> departed) {
+  const Frame &oldest = frames_.front(), &latest = frames_.back();
+  if (oldest.index == latest.index) return;
+  Ping ping{latest.index, oldest.index, std::move(observation), std::move(estimated), {}};
+  for (const Eigen::Vector3d& p_W : departed) Hold(ping, p_W);
   ping.factor = AddFactorOf(ping);
   pings_.push_back(std::move(ping));
 }
 
 FactorId SlidingWindow::AddFactorOf(const Ping& ping) {
   std::vector<BlockId> blocks = {FrameAt(ping.frame).pose};
+  if (!ping.observation.held_landmarks.empty()) blocks.push_back(FrameAt(ping.anchor).pose);
   for (const LandmarkId id : ping.estimated) blocks.push_back(*points_.at(id).landmark);
   return graph_.AddFactor(
       std::make_unique<SonarRangeFactor>(ping.observation, ping.estimated.size()), blocks,
       config_.cauchy_scale);
 }
 
-void SlidingWindow::FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which) {
+void SlidingWindow::Hold(Ping& ping, const Eigen::Vector3d& p_W) const {
+  const Pose T_WA = graph_.PoseOf(FrameAt(ping.anchor).pose);
+  ping.observation.held_landmarks.push_back(T_WA.Inverse() * p_W);
+}
+
+void SlidingWindow::HoldLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which) {
   std::vector<LandmarkId> still_estimated;
   for (const LandmarkId id : ping.estimated) {
     if (which(id)) {
-      ping.observation.fixed_landmarks.push_back(PositionOf(points_.at(id)));
+      Hold(ping, PositionOf(points_.at(id)));
     } else {
       still_estimated.push_back(id);
     }
@@ -146,15 +165,18 @@ void SlidingWindow::FixLandmarks(Ping& ping, const std::function<bool(LandmarkId
   ping.factor = AddFactorOf(ping);
 }
 
-void SlidingWindow::FixPingsOf(std::int64_t frame) {
-  for (Ping& ping : pings_)
-    if (ping.frame == frame) FixLandmarks(ping, [](LandmarkId) { return true; });
-  std::erase_if(pings_, [frame](const Ping& ping) { return ping.frame == frame; });
+/// Before a frame is marginalised: its pings then have a say in what is left of it.
+void SlidingWindow::HoldPingsOf(std::int64_t frame) {
+  std::erase_if(pings_, [&](Ping& ping) {
+    if (ping.frame != frame && ping.anchor != frame) return false;
+    HoldLandmarks(ping, [](LandmarkId) { return true; });
+    return true;
+  });
 }
 
 void SlidingWindow::Depart(LandmarkId id, const Point& point) {
   departed_.push_back(PositionOf(point));
-  for (Ping& ping : pings_) FixLandmarks(ping, [id](LandmarkId other) { return other == id; });
+  for (Ping& ping : pings_) HoldLandmarks(ping, [id](LandmarkId other) { return other == id; });
 }
 
 std::vector<Eigen::Vector3d> SlidingWindow::TakeDeparted() { return std::exchange(departed_, {}); }
@@ -233,7 +255,7 @@ void SlidingWindow::Slide() {
       (oldest + 1)->imu.reset();
     } else {
       DropObservations(oldest->index);
-      FixPingsOf(oldest->index);
+      HoldPingsOf(oldest->index);
       const std::array<BlockId, 2> gone = {oldest->pose, *oldest->speed_bias};
       graph_.Marginalise(gone);
       (oldest + 1)->imu.reset();
@@ -265,7 +287,7 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
     }
   }
   DropObservations(frame.index);
-  FixPingsOf(frame.index);
+  HoldPingsOf(frame.index);
   gone.push_back(frame.pose);
   graph_.Marginalise(gone);
 }
@@ -273,6 +295,15 @@ void SlidingWindow::MarginaliseKeyframe(const Frame& frame) {
 const SlidingWindow::Frame& SlidingWindow::FrameAt(std::int64_t index) const {
   return *std::lower_bound(frames_.begin(), frames_.end(), index,
                            [](const Frame& frame, std::int64_t at) { return frame.index < at; });
+}
+
+/// Of the frames that have a velocity; the latest always has.
+const SlidingWindow::Frame& SlidingWindow::NearestMoving(Time t) const {
+  const Frame* nearest = &frames_.back();
+  const auto distance = [t](const Frame& frame) { return std::abs((frame.t - t).ns); };
+  for (const Frame& frame : frames_)
+    if (frame.speed_bias && distance(frame) < distance(*nearest)) nearest = &frame;
+  return *nearest;
 }
 
 int SlidingWindow::NumRecent() const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "estimator/interface/estimator.h"
@@ -49,15 +50,19 @@ class SlidingWindow {
 
   /// Adds the next frame, which `imu` links to the last one, at the state that the IMU predicts.
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
-  /// Ties a pressure reading taken at `t`, while the body turned at `rate_I` [rad/s, in I], to the
-  /// frame nearest to it.
-  void AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
+  /// Ties a pressure reading that was true at `t`, while the body turned at `rate_I` [rad/s, in I],
+  /// to the frame nearest to it. From there the body is taken to rise evenly, which a longer way
+  /// makes less sure: observation.sigma is of the reading alone. The first one finds the surface.
+  void AddDepth(Time t, DepthObservation observation,
                 const Eigen::Vector3d& rate_I = Eigen::Vector3d::Zero());
+  /// Height at which the pressure sensor would read 0 [m, in W]; nothing before the first reading.
+  std::optional<double> SurfaceHeight() const;
 
-  /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
-  /// the observation holds the others. When a landmark or the frame leaves, what is left of the
-  /// patch counts as fixed.
-  void AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated);
+  /// Ties a ping to the latest frame. Its patch: `estimated` landmarks, which the window has, and
+  /// `departed` ones [m, in W], which are held at the window's oldest frame. Where a landmark or
+  /// one of the two frames leaves, what is left of the patch is held there too.
+  void AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated,
+                std::span<const Eigen::Vector3d> departed);
 
   /// Moves all states to where measurements agree best, and takes away observations that do not.
   SolverReport Optimise();
@@ -107,6 +112,7 @@ class SlidingWindow {
 
   struct Ping {
     std::int64_t frame = 0;
+    std::int64_t anchor = 0;  // A frame before that.
     SonarRangeObservation observation;
     std::vector<LandmarkId> estimated;
     FactorId factor{};
@@ -124,10 +130,12 @@ class SlidingWindow {
   void MarginaliseKeyframe(const Frame& frame);
   void Depart(LandmarkId id, const Point& point);
   FactorId AddFactorOf(const Ping& ping);
-  void FixLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which);
-  void FixPingsOf(std::int64_t frame);
+  void Hold(Ping& ping, const Eigen::Vector3d& p_W) const;
+  void HoldLandmarks(Ping& ping, const std::function<bool(LandmarkId)>& which);
+  void HoldPingsOf(std::int64_t frame);
   Eigen::Vector3d PositionOf(const Point& point) const;
   const Frame& FrameAt(std::int64_t index) const;
+  const Frame& NearestMoving(Time t) const;
   int NumRecent() const;
   NavState StateOf(const Frame& frame) const;
 
@@ -135,6 +143,7 @@ class SlidingWindow {
   StereoGeometry geometry_;
   FactorGraph graph_;
   std::deque<Frame> frames_;  // The oldest first.
+  std::optional<BlockId> surface_;
   std::map<LandmarkId, Point> points_;
   std::vector<Ping> pings_;
   std::vector<Eigen::Vector3d> departed_;

@@ -46,19 +46,40 @@ TEST(SonarRangeFactor, ValueAndDerivativesByHand) {
   EXPECT_EQ(jacobians[1], jacobians[2]);
 }
 
-TEST(SonarRangeFactor, FixedLandmarksCountInTheMeanAndDoNotMove) {
-  // As above with the first landmark fixed, and with both.
+TEST(SonarRangeFactor, HeldLandmarksCountInTheMeanAndGoWithTheAnchor) {
+  // As above with the first landmark held, and with both; the anchor is 1 m behind, turned by 90
+  // degrees to the left.
+  const Pose anchor(FromYawPitchRoll(0.5 * M_PI, 0, 0), {-1, 0, 0});
+  const Vector3d first(0.028, 0.216, 2.125), second(0.228, -0.184, 2.125);
   SonarRangeObservation observation = Observation(2.1);
-  observation.fixed_landmarks = {Vector3d(0.028, 0.216, 2.125)};
-  const Vector3d second(0.228, -0.184, 2.125);
+  observation.held_landmarks = {anchor.Inverse() * first};
   const SonarRangeFactor one(observation, 1);
-  const Blocks states = {Block(ToParameters(Pose())), Block(second)};
+  const Blocks states = {Block(ToParameters(Pose())), Block(ToParameters(anchor)), Block(second)};
   EXPECT_NEAR(testing::Residuals(one, states)[0], 0.1 / 0.05, 1e-12);
   const auto jacobians = testing::TangentJacobians(one, states);
-  EXPECT_LT((jacobians[1] - Eigen::RowVector3d(0, 0, -0.5) / 0.05).norm(), 1e-12);
-  observation.fixed_landmarks.push_back(second);
+  EXPECT_LT((jacobians[2] - Eigen::RowVector3d(0, 0, -0.5) / 0.05).norm(), 1e-12);
+  Eigen::Matrix<double, 1, 6> by_anchor;
+  // The landmark lies at s = (1.028, 0.216, 2.125) from the anchor; u = -z, and -u' [s]x =
+  // -(s_y, -s_x, 0).
+  by_anchor << 0, 0, -0.5, -0.5 * 0.216, 0.5 * 1.028, 0;
+  EXPECT_LT((jacobians[1] - by_anchor / 0.05).norm(), 1e-12);
+  observation.held_landmarks.push_back(anchor.Inverse() * second);
   const SonarRangeFactor none(observation, 0);
-  EXPECT_NEAR(testing::Residuals(none, {Block(ToParameters(Pose()))})[0], 0.1 / 0.05, 1e-12);
+  EXPECT_NEAR(testing::Residuals(none, {states[0], states[1]})[0], 0.1 / 0.05, 1e-12);
+}
+
+TEST(SonarRangeFactor, SaysNothingOfWhereBothPosesAre) {
+  // Moved and turned about the vertical together, with all landmarks held: no difference.
+  SonarRangeObservation observation = Observation(2.5);
+  observation.held_landmarks = {Vector3d(2.0, 3.5, -1.0), Vector3d(2.1, 3.4, -1.1)};
+  const SonarRangeFactor factor(observation, 0);
+  const Pose pose(FromYawPitchRoll(0.7, -0.2, 0.3), {1, 2, -3}), anchor({1, 0, 0, 0}, {0, 1, -3});
+  const Pose moved(FromYawPitchRoll(0.3, 0, 0), {5, -4, 1});
+  EXPECT_NEAR(
+      testing::Residuals(factor, {Block(ToParameters(pose)), Block(ToParameters(anchor))})[0],
+      testing::Residuals(
+          factor, {Block(ToParameters(moved * pose)), Block(ToParameters(moved * anchor))})[0],
+      1e-9);
 }
 
 TEST(SonarRangeFactor, VanishesAtTheEchoSeenAtThePingsOwnTime) {
@@ -80,17 +101,23 @@ TEST(SonarRangeFactor, VanishesAtTheEchoSeenAtThePingsOwnTime) {
 }
 
 TEST(SonarRangeFactor, JacobiansMatchDifferences) {
-  SonarRangeObservation observation = Observation(2.5);
-  observation.T_frame_ping = Pose(ExpSO3({0.1, -0.2, 0.3}), {0.1, 0.2, 0.3});
   const Pose pose(FromYawPitchRoll(0.7, -0.2, 0.3), {1, 2, -3});
-  for (std::size_t landmarks = 1; landmarks <= 7; ++landmarks) {
-    const SonarRangeFactor factor(observation, landmarks);
-    Blocks states = {Block(ToParameters(pose))};
-    for (std::size_t k = 0; k < landmarks; ++k) {
-      const auto offset = static_cast<double>(k);
-      states.push_back(Block(Vector3d(2.0 + 0.1 * offset, 3.5, -2.0 - 0.05 * offset)));
+  const Pose anchor(FromYawPitchRoll(0.2, 0.1, -0.2), {0.5, 1, -3});
+  for (const std::size_t held : {0, 1, 3}) {
+    for (std::size_t landmarks = held == 0 ? 1 : 0; landmarks <= 7; ++landmarks) {
+      SonarRangeObservation observation = Observation(2.5);
+      observation.T_frame_ping = Pose(ExpSO3({0.1, -0.2, 0.3}), {0.1, 0.2, 0.3});
+      for (std::size_t k = 0; k < held; ++k)
+        observation.held_landmarks.emplace_back(1.5, 2.5 - 0.1 * static_cast<double>(k), 1.0);
+      Blocks states = {Block(ToParameters(pose))};
+      if (held > 0) states.push_back(Block(ToParameters(anchor)));
+      for (std::size_t k = 0; k < landmarks; ++k) {
+        const auto offset = static_cast<double>(k);
+        states.push_back(Block(Vector3d(2.0 + 0.1 * offset, 3.5, -2.0 - 0.05 * offset)));
+      }
+      EXPECT_LT(testing::WorstJacobianError(SonarRangeFactor(observation, landmarks), states),
+                1e-6);
     }
-    EXPECT_LT(testing::WorstJacobianError(factor, states), 1e-6);
   }
 }
 

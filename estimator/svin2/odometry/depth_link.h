@@ -1,0 +1,45 @@
+// Pressure readings on their way into the window.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "estimator/interface/estimator.h"
+#include "estimator/svin2/initialisation/depth_scale.h"
+#include "estimator/svin2/odometry/depth_gate.h"
+#include "estimator/svin2/odometry/imu_buffer.h"
+#include "estimator/svin2/window/sliding_window.h"
+#include "sensors_models/measurement/rig.h"
+
+namespace drydock::svin2 {
+
+/// Keeps readings until the window has come up to them. A reading counts for when it was true: its
+/// time less the sensor's lag, in which a body that climbs at 0.2 m/s rises by 4 mm.
+class DepthLink {
+ public:
+  DepthLink(const DepthSheet& sheet, const DepthGate::Config& gate) : sheet_(sheet), gate_(gate) {}
+
+  /// False, and the reading is not kept, if it is not finite or not later than the one before.
+  bool Add(Time t, const DepthSample& reading);
+
+  /// Ties the readings up to the window's latest frame to it. What was not believed is said.
+  std::vector<EstimatorEvent> Feed(SlidingWindow& window, const ImuBuffer& imu);
+
+  /// As they came, for the initialiser, which has its own use for the lag.
+  std::span<const TimedDepth> SinceLastFrame() const { return since_frame_; }
+  void NextFrame() { since_frame_.clear(); }
+
+ private:
+  DepthSheet sheet_;
+  DepthGate gate_;
+  std::optional<Time> last_;
+  std::deque<TimedDepth> waiting_;  // With the times at which they were true.
+  std::vector<TimedDepth> since_frame_;
+};
+
+/// Standard deviation of one reading of the height that the window's states give [m]: noise and
+/// rounding.
+double DepthSigma(const DepthSheet& sheet);
+
+}  // namespace drydock::svin2
