@@ -84,7 +84,6 @@ LoopMatcher::LoopMatcher(const Config& config) : config_(config) {
     RequireInput(ratio > 0.0 && ratio <= 1.0,
                  "a ratio of descriptors' distances is {}; it must lie in (0, 1]", ratio);
   }
-  RequireInput(config.radius_px > 0.0, "radius_px is {}; it must be positive", config.radius_px);
 }
 
 std::vector<LoopMatch> LoopMatcher::Match(const Keyframe& now, const DirectIndex& index_now,
@@ -108,13 +107,14 @@ std::vector<LoopMatch> LoopMatcher::Match(const Keyframe& now, const Keyframe& t
 }
 
 std::vector<LoopMatch> LoopMatcher::MatchNear(const StereoGeometry& rig, const Keyframe& now,
-                                              const Keyframe& then, const Pose& T_then_now) const {
+                                              const Keyframe& then, const Pose& T_then_now,
+                                              double radius_px) const {
   const auto landmarks_then = LandmarksOf(rig, then);
   const auto then_in_now = Pixels(rig, landmarks_then, T_then_now.Inverse());
   const auto now_in_then = Pixels(rig, LandmarksOf(rig, now), T_then_now);
-  const auto is_near = [this](const std::optional<Eigen::Vector2d>& expected,
-                              const Eigen::Vector2d& pixel) {
-    return expected.has_value() && (*expected - pixel).norm() <= config_.radius_px;
+  const auto is_near = [radius_px](const std::optional<Eigen::Vector2d>& expected,
+                                   const Eigen::Vector2d& pixel) {
+    return expected.has_value() && (*expected - pixel).norm() <= radius_px;
   };
   MutualNearest nearest(now, then);
   for (std::size_t i = 0; i < now.points.size(); ++i) {

@@ -25,13 +25,11 @@ using DirectIndex = std::map<std::uint32_t, std::vector<std::size_t>>;
 class LoopMatcher {
  public:
   struct Config {
-    int max_distance = 80;   ///< Bits of 512 that may differ.
-    double max_ratio = 0.8;  ///< Of the distances of the best and the second best.
-    /// The same where a pose says in which part of the image a point must be, `radius_px` about
-    /// where it is expected.
+    int max_distance = 100;   ///< Bits of 512 that may differ.
+    double max_ratio = 0.85;  ///< Of the distances of the best and the second best.
+    /// The same where a pose says in which part of the image a point must be.
     int max_distance_near = 120;
     double max_ratio_near = 0.9;
-    double radius_px = 10.0;
   };
 
   /// Throws InputError for values that cannot be used.
@@ -42,10 +40,11 @@ class LoopMatcher {
                                const Keyframe& then, const DirectIndex& index_then) const;
   /// All points are compared with all.
   std::vector<LoopMatch> Match(const Keyframe& now, const Keyframe& then) const;
-  /// Points are compared that `T_then_now` brings near each other in one of the left images: then's
-  /// landmark in now's or, if it is no landmark, now's in then's.
+  /// Points are compared that `T_then_now` brings within `radius_px` of each other in one of the
+  /// left images: then's landmark in now's or, if it is no landmark, now's in then's.
   std::vector<LoopMatch> MatchNear(const StereoGeometry& rig, const Keyframe& now,
-                                   const Keyframe& then, const Pose& T_then_now) const;
+                                   const Keyframe& then, const Pose& T_then_now,
+                                   double radius_px) const;
 
  private:
   Config config_;

@@ -41,11 +41,11 @@ class LoopVerifier {
  public:
   struct Config {
     int min_inliers = 25;           ///< Matches.
-    double min_inlier_share = 0.4;  ///< Of the matches.
+    double min_inlier_share = 0.3;  ///< Of the matches.
     /// Reprojection error of an inlier. Of landmarks by one stereo pair, two thirds are known to
     /// 0.15 px of disparity; from 1.5 m beside, ten times the baseline, that is 1.6 px.
     double max_error_px = 5.0;
-    int max_iterations = 200;
+    int max_iterations = 100;
     /// RMS of the inliers' pixels about their mean, in the direction in which it is smallest.
     double min_spread_px = 40.0;
     double max_distance_m = 5.0;
