@@ -18,9 +18,9 @@ namespace drydock::svin2 {
 class LoopChecker {
  public:
   struct Config {
-    LoopMatcher::Config matcher;
-    LoopVerifier::Config verifier;
-    Relocaliser::Config relocaliser;
+    LoopMatcher::Config matcher = {};
+    LoopVerifier::Config verifier = {};
+    Relocaliser::Config relocaliser = {};
     int min_seed_inliers = 10;      ///< Of the matches by looks alone.
     double radius_px = 10.0;        ///< About where a motion has a point.
     double guess_radius_px = 40.0;  ///< About where a guess has it: 20 cm at 3 m.

@@ -40,7 +40,7 @@ struct VerifiedLoop {
 class LoopVerifier {
  public:
   struct Config {
-    int min_inliers = 25;           ///< Matches.
+    int min_inliers = 15;           ///< Matches.
     double min_inlier_share = 0.3;  ///< Of the matches.
     /// Reprojection error of an inlier. Of landmarks by one stereo pair, two thirds are known to
     /// 0.15 px of disparity; from 1.5 m beside, ten times the baseline, that is 1.6 px.

@@ -73,9 +73,11 @@ Relocalisation Relocaliser::Relocalise(const Keyframe& now, const Keyframe& then
     bundle.Optimise(config_.solver);
     result.T_then_now = bundle.T_then_now();
 
+    // The robust loss leaves the largest errors larger than least squares would.
+    const double max_chi2 = (round == 0 ? 2.0 : 1.0) * config_.max_landmark_chi2;
     std::vector<LoopLandmark> kept;
     for (std::size_t k = 0; k < landmarks.size(); ++k) {
-      if (bundle.LandmarkChi2(k) > config_.max_landmark_chi2) continue;
+      if (bundle.LandmarkChi2(k) > max_chi2) continue;
       kept.push_back({landmarks[k].match, bundle.Landmark(k)});
     }
     const bool is_last = round > 0 && (kept.size() == landmarks.size() || round == kRounds - 1);

@@ -34,7 +34,7 @@ struct Relocalisation {
 class Relocaliser {
  public:
   struct Config {
-    int min_inliers = 25;
+    int min_inliers = 15;
     /// How far the corner found in `now` lies beside the one known from `then` (see
     /// RecognisedPointFactor), in standard deviations of now's pixel.
     double offset_per_sigma = 6.0;
