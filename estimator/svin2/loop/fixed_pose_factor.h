@@ -1,6 +1,7 @@
 // A factor of a pose that is known.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include <ceres/cost_function.h>

@@ -81,7 +81,7 @@ void LoopBundle::Add(const LoopMatch& match, const Eigen::Vector3d& p_then) {
 
 BlockId LoopBundle::AddMember(const Keyframe& keyframe, bool is_now, std::size_t point) {
   const KeyframePoint& seen = keyframe.points[point];
-  const BlockId landmark = AddLandmark(is_now ? T_then_now() * *seen.p_I : *seen.p_I);
+  const BlockId landmark = AddLandmark(is_now ? Motion() * *seen.p_I : *seen.p_I);
   if (is_now) {
     AddSeenNow(landmark, seen, 0.0);
   } else {

@@ -37,7 +37,7 @@ class LoopBundle {
 
   SolverReport Optimise(const SolverLimits& limits) { return graph_.Optimise(limits); }
 
-  Pose T_then_now() const { return graph_.PoseOf(pose_); }
+  Pose Motion() const { return graph_.PoseOf(pose_); }  ///< T_then_now.
   std::optional<Eigen::MatrixXd> Covariance() const { return graph_.CovarianceOf(pose_); }
   /// Of the k-th landmark that was added [m, in then's body frame].
   Eigen::Vector3d Landmark(std::size_t k) const;

@@ -8,8 +8,7 @@
 namespace drydock::svin2 {
 
 /// The drift of odometry: maps its W into the frame of the pose graph. `T_graph_then` is then's
-/// pose in the graph, `T_W_now` now's by odometry (facts of SVIn2: the loop pose in the graph, less
-/// the re-estimated one).
+/// pose in the graph, `T_W_now` now's by odometry.
 Pose Drift(const Pose& T_graph_then, const Pose& T_then_now, const Pose& T_W_now);
 
 /// A relocalisation's covariance is that of [dp, da] in T_then_now = (p + dp, exp(da) q), in then's

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "estimator/svin2/loop/keyframe_landmarks.h"
 #include "sensors_models/base/check.h"

@@ -1,6 +1,8 @@
 // Whether two keyframes show the same place, and how the body moved in between.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -42,8 +44,8 @@ class LoopVerifier {
   struct Config {
     int min_inliers = 15;           ///< Matches.
     double min_inlier_share = 0.3;  ///< Of the matches.
-    /// Reprojection error of an inlier. Of landmarks by one stereo pair, two thirds are known to
-    /// 0.15 px of disparity; from 1.5 m beside, ten times the baseline, that is 1.6 px.
+    /// Reprojection error of an inlier. Corners are found up to some 2 px beside; and what stereo
+    /// knows to 0.2 px of disparity is, from ten baselines beside, off by 2 px.
     double max_error_px = 5.0;
     int max_iterations = 100;
     /// RMS of the inliers' pixels about their mean, in the direction in which it is smallest.

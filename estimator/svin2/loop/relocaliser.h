@@ -61,6 +61,10 @@ class Relocaliser {
                             const std::vector<LoopMatch>& matches, const Pose& T_then_now) const;
 
  private:
+  /// Judges what was found.
+  Relocalisation Conclude(Relocalisation result,
+                          const std::optional<Eigen::MatrixXd>& covariance) const;
+
   Config config_;
   StereoGeometry rig_;
 };

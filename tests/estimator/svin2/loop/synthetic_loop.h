@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,6 +62,18 @@ inline std::optional<Eigen::Vector2d> PixelOf(const StereoGeometry& rig, int cam
   return pixel;
 }
 
+/// A landmark with the noise of one stereo pair of window_sigma sigma_px.
+inline Eigen::Vector3d AsWindowHasIt(const Eigen::Vector3d& p_I, const LoopOptions& options,
+                                     RandomStream& noise) {
+  const double x = p_I.x();
+  const double across = options.window_sigma * options.sigma_px * x / 575.0 / std::sqrt(2.0);
+  const double along = across * x * 2.0 / 0.142;
+  const double e_x = noise.Gaussian();
+  const double e_y = noise.Gaussian();
+  const double e_z = noise.Gaussian();
+  return p_I + e_x * along * p_I.normalized() + across * Eigen::Vector3d(0.0, e_y, e_z);
+}
+
 /// Landmarks 1.5 to 5 m ahead of `then`, all of them seen in all four images. The k-th point of
 /// either keyframe is the k-th landmark, in another order in `now`.
 inline SyntheticLoop MakeLoop(const LoopOptions& options = {}) {
@@ -93,12 +108,8 @@ inline SyntheticLoop MakeLoop(const LoopOptions& options = {}) {
     now.right = *seen[3] + beside + jitter(sigma);
     now.descriptor = Changed(then.descriptor, options.changed_bits, places);
     if (options.window_sigma >= 0.0) {
-      // As of one stereo pair.
-      const double across = options.window_sigma * options.sigma_px * x / 575.0 / std::sqrt(2.0);
-      const double along = across * x * 2.0 / 0.142;
-      const double e_x = noise.Gaussian(), e_y = noise.Gaussian(), e_z = noise.Gaussian();
-      then.p_I =
-          p_then + e_x * along * p_then.normalized() + across * Eigen::Vector3d(0.0, e_y, e_z);
+      then.p_I = AsWindowHasIt(p_then, options, noise);
+      now.p_I = AsWindowHasIt(p_now, options, noise);
     }
     loop.landmarks.push_back(p_then);
     loop.then.points.push_back(then);
