@@ -1,0 +1,62 @@
+#include "estimator/svin2/loop/loop_checker.h"
+
+#include "sensors_models/base/check.h"
+
+namespace drydock::svin2 {
+namespace {
+
+LoopVerifier::Config ForSeed(LoopVerifier::Config config, int min_inliers) {
+  config.min_inliers = min_inliers;
+  return config;
+}
+
+Relocalisation Refused(const VerifiedLoop& loop) {
+  Relocalisation result;
+  result.status = loop.status;
+  result.T_then_now = loop.T_then_now;
+  result.inliers = loop.inliers;
+  return result;
+}
+
+}  // namespace
+
+LoopChecker::LoopChecker(const Config& config, const StereoGeometry& rig)
+    : config_(config),
+      rig_(rig),
+      matcher_(config.matcher),
+      seed_verifier_(ForSeed(config.verifier, config.min_seed_inliers), rig),
+      verifier_(config.verifier, rig),
+      relocaliser_(config.relocaliser, rig) {
+  RequireInput(config.radius_px > 0.0 && config.guess_radius_px > 0.0,
+               "radius_px is {} and guess_radius_px {}; both must be positive", config.radius_px,
+               config.guess_radius_px);
+}
+
+Relocalisation LoopChecker::Check(const Keyframe& now, const DirectIndex& index_now,
+                                  const Keyframe& then, const DirectIndex& index_then,
+                                  const std::optional<Pose>& T_then_now) const {
+  return Check(now, then, matcher_.Match(now, index_now, then, index_then), T_then_now);
+}
+
+Relocalisation LoopChecker::Check(const Keyframe& now, const Keyframe& then,
+                                  const std::optional<Pose>& T_then_now) const {
+  return Check(now, then, matcher_.Match(now, then), T_then_now);
+}
+
+Relocalisation LoopChecker::Check(const Keyframe& now, const Keyframe& then,
+                                  const std::vector<LoopMatch>& matches,
+                                  const std::optional<Pose>& T_then_now) const {
+  VerifiedLoop loop = seed_verifier_.Verify(now, then, matches, T_then_now);
+  if (!loop.IsGood() && T_then_now.has_value()) {
+    const auto near = matcher_.MatchNear(rig_, now, then, *T_then_now, config_.guess_radius_px);
+    loop = seed_verifier_.Verify(now, then, near, T_then_now);
+  }
+  if (!loop.IsGood()) return Refused(loop);
+  const Pose seed = loop.T_then_now;
+  loop = verifier_.Verify(now, then, matcher_.MatchNear(rig_, now, then, seed, config_.radius_px),
+                          seed);
+  if (!loop.IsGood()) return Refused(loop);
+  return relocaliser_.Relocalise(now, then, loop.inliers, loop.T_then_now);
+}
+
+}  // namespace drydock::svin2

@@ -1,0 +1,44 @@
+#include "estimator/svin2/loop/loop_edge.h"
+
+namespace drydock::svin2 {
+namespace {
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+Matrix6d Carried(const Matrix6d& by_tangent, const Matrix6d& covariance) {
+  return by_tangent * covariance * by_tangent.transpose();
+}
+
+}  // namespace
+
+Pose Drift(const Pose& T_graph_then, const Pose& T_then_now, const Pose& T_W_now) {
+  return T_graph_then * T_then_now * T_W_now.Inverse();
+}
+
+// The inverse is (-q^-1 p, q^-1). With (p + dp, exp(da) q) its position changes by q^-1 (-dp + da x
+// p), its rotation by exp(-q^-1 da) on the left.
+Matrix6d CovarianceOfInverse(const Pose& T_then_now, const Matrix6d& covariance) {
+  const Eigen::Matrix3d R = T_then_now.R().transpose();
+  Matrix6d by_tangent = Matrix6d::Zero();
+  by_tangent.topLeftCorner<3, 3>() = -R;
+  by_tangent.topRightCorner<3, 3>() = -R * Skew(T_then_now.p());
+  by_tangent.bottomRightCorner<3, 3>() = -R;
+  return Carried(by_tangent, covariance);
+}
+
+Matrix6d CovarianceOnTheRight(const Pose& T_then_now, const Matrix6d& covariance) {
+  const Eigen::Matrix3d R = T_then_now.R().transpose();
+  Matrix6d by_tangent = Matrix6d::Zero();
+  by_tangent.topLeftCorner<3, 3>() = R;
+  by_tangent.bottomRightCorner<3, 3>() = R;
+  return Carried(by_tangent, covariance);
+}
+
+// Exp([rho, phi]) moves p by rho + phi x p.
+Matrix6d CovarianceOnSe3(const Pose& T_then_now, const Matrix6d& covariance) {
+  Matrix6d by_tangent = Matrix6d::Identity();
+  by_tangent.topRightCorner<3, 3>() = Skew(T_then_now.p());
+  return Carried(by_tangent, covariance);
+}
+
+}  // namespace drydock::svin2
