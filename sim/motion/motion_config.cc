@@ -32,6 +32,7 @@ Waypoint ReadWaypoint(YamlReader& yaml, std::size_t index) {
 
 MotionConfig ReadMotion(YamlReader& yaml) {
   MotionConfig config;
+  config.rest_s = yaml.Real("rest_s", {0.0, 1000.0}, config.rest_s);
   config.speed_m_s = yaml.Real("speed_m_s", {0.01, 3.0}, config.speed_m_s);
   config.clearance_m = yaml.Real("clearance_m", {0.0, 10.0}, config.clearance_m);
   yaml.OptionalMap("sway", [&](YamlReader& sway) {

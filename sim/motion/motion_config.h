@@ -27,6 +27,7 @@ struct SwayConfig {
 };
 
 struct MotionConfig {
+  double rest_s = 0.0;       ///< At the first way-point, without sway, before it swims.
   double speed_m_s = 0.45;   ///< Along the path; the dive starts and ends at rest.
   double clearance_m = 0.3;  ///< The body must stay this far from everything.
   SwayConfig sway;

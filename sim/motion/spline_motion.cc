@@ -82,19 +82,23 @@ Eigen::Vector3d BodyRate(double pitch, double roll, const Eigen::Vector3d& yaw_p
 }  // namespace
 
 SplineMotion::SplineMotion(const MotionConfig& config, std::uint64_t seed)
-    : path_(FitAtSpeed(PathPoints(config.waypoints), config.speed_m_s)), sway_(config.sway, seed) {}
+    : rest_s_(config.rest_s),
+      path_(FitAtSpeed(PathPoints(config.waypoints), config.speed_m_s)),
+      sway_(config.sway, seed) {}
 
 std::size_t SplineMotion::NearestWaypoint(Time t) const {
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < path_.size(); ++i) {
-    const auto away = [&](std::size_t k) { return std::abs(path_.TimeOf(k) - t.Seconds()); };
+    const auto away = [&](std::size_t k) {
+      return std::abs(rest_s_ + path_.TimeOf(k) - t.Seconds());
+    };
     if (away(i) < away(nearest)) nearest = i;
   }
   return nearest;
 }
 
 MotionState SplineMotion::At(Time t) const {
-  const double seconds = t.Seconds();
+  const double seconds = t.Seconds() - rest_s_;
   const Eigen::VectorXd value = path_.Evaluate(seconds);
   const Eigen::VectorXd rate = path_.Evaluate(seconds, 1);
   const Eigen::VectorXd acceleration = path_.Evaluate(seconds, 2);

@@ -12,8 +12,8 @@
 namespace drydock::sim {
 
 /// A four times continuously differentiable curve in position, yaw and pitch through the way-points
-/// at nearly constant speed, with sway on top. Every derivative is analytic, so the IMU that is
-/// read from it is exact. R_WI = Rz(yaw) Ry(pitch) Rx(roll).
+/// at nearly constant speed, after a rest at the first of them, with sway on top. Every derivative
+/// is analytic, so the IMU that is read from it is exact. R_WI = Rz(yaw) Ry(pitch) Rx(roll).
 class SplineMotion final : public Motion {
  public:
   SplineMotion(const MotionConfig& config, std::uint64_t seed);
@@ -21,10 +21,11 @@ class SplineMotion final : public Motion {
   MotionState At(Time t) const override;
   /// The index of the way-point that is nearest in time.
   std::size_t NearestWaypoint(Time t) const;
-  Time End() const override { return Time::FromSeconds(path_.end()); }
+  Time End() const override { return Time::FromSeconds(rest_s_ + path_.end()); }
 
  private:
-  QuinticSpline path_;  ///< x y z yaw pitch over seconds.
+  double rest_s_;
+  QuinticSpline path_;  ///< x y z yaw pitch over seconds after the rest.
   Sway sway_;
 };
 

@@ -10,29 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "estimator/registry/registry.h"
-#include "scenarios/runner/dive.h"
 #include "scenarios/scoring/scorecard.h"
 #include "sensors_models/base/random_stream.h"
-#include "sensors_models/base/resources.h"
+#include "tests/integration/recorded_dive.h"
 
 namespace drydock {
 namespace {
 
-struct RecordedDive {
-  Rig rig;
-  NavState start;
-  Trajectory truth;
-  std::vector<Measurement> measurements;
-};
-
-RecordedDive Record() {
-  const Scenario scenario =
-      LoadScenario(DataDirectory() / "scenarios" / "bus.yaml", {"duration_s=15"});
-  Dive dive(scenario, sim::RendererBackend::kAuto);
-  RecordedDive recorded{dive.rig(), dive.InitialState(), dive.Truth(), {}};
-  while (auto observation = dive.Next()) recorded.measurements.push_back(observation->measurement);
-  return recorded;
-}
+using testing::RecordedDive;
 
 /// What a fault makes of one measurement: none, itself, or several.
 using Fault = std::function<std::vector<Measurement>(const Measurement&)>;
@@ -53,7 +38,9 @@ struct Outcome {
 
 class Svin2Faults : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { dive_ = std::make_unique<RecordedDive>(Record()); }
+  static void SetUpTestSuite() {
+    dive_ = std::make_unique<RecordedDive>(testing::RecordBus({"duration_s=15"}));
+  }
   static void TearDownTestSuite() { dive_.reset(); }
 
   static Outcome Run(const Fault& fault) {

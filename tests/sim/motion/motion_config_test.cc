@@ -15,9 +15,10 @@ MotionConfig Read(const std::string& text) {
 
 TEST(MotionConfig, ReadsEverything) {
   const MotionConfig config = Read(
-      "speed_m_s: 0.3\nclearance_m: 0.5\nsway: {position_m: 0.01, angle_deg: 18}\n"
+      "rest_s: 2.5\nspeed_m_s: 0.3\nclearance_m: 0.5\nsway: {position_m: 0.01, angle_deg: 18}\n"
       "waypoints:\n- {position_m: [0, 0, 0], yaw_offset_deg: 90, pitch_deg: -45}\n"
       "- {position_m: [1, 2, 3], look_at_m: [0, 5, 0]}\n");
+  EXPECT_EQ(config.rest_s, 2.5);
   EXPECT_EQ(config.speed_m_s, 0.3);
   EXPECT_EQ(config.clearance_m, 0.5);
   EXPECT_NEAR(config.sway.angle_rad, 0.314159265, 1e-8);

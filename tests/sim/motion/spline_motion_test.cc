@@ -58,6 +58,20 @@ TEST(SplineMotion, AngularRateMatchesNumeric) {
   }
 }
 
+TEST(SplineMotion, RestsBeforeItSwimsAsItWould) {
+  const SplineMotion at_once(Square(), 1);
+  MotionConfig config = Square();
+  config.rest_s = 3.0;
+  const SplineMotion rested(config, 1);
+  for (const double t : {0.0, 1.0, 3.0}) {
+    EXPECT_EQ(rested.At(At(t)).T_WI.p(), at_once.At(Time{}).T_WI.p()) << t;
+    EXPECT_EQ(rested.At(At(t)).v_W.norm() + rested.At(At(t)).w_I.norm(), 0.0) << t;
+  }
+  EXPECT_EQ(rested.End(), At(at_once.End().Seconds() + 3.0));
+  EXPECT_LT((rested.At(At(9.5)).T_WI.p() - at_once.At(At(6.5)).T_WI.p()).norm(), 1e-12);
+  EXPECT_EQ(rested.NearestWaypoint(At(2.0)), 0U);
+}
+
 TEST(SplineMotion, KeepsItsSpeedBetweenRestAndRest) {
   MotionConfig config = Square();
   config.sway = {};
