@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "estimator/svin2/factors/body_velocity_factor.h"
 #include "estimator/svin2/factors/imu_factor.h"
 #include "estimator/svin2/factors/reprojection_factor.h"
 #include "sensors_models/base/check.h"
@@ -115,6 +116,12 @@ void SlidingWindow::AddDepth(Time t, DepthObservation observation, const DepthRe
   observation.p_ID = ExpSO3(observation.since_frame.Seconds() * rate_I) * observation.p_ID;
   graph_.AddFactor(std::make_unique<DepthFactor>(observation, reference),
                    {nearest->pose, *nearest->speed_bias});
+}
+
+void SlidingWindow::AddVelocity(const Eigen::Vector3d& v_I, double sigma) {
+  const Frame& latest = frames_.back();
+  graph_.AddFactor(std::make_unique<BodyVelocityFactor>(v_I, sigma),
+                   {latest.pose, *latest.speed_bias});
 }
 
 void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated) {

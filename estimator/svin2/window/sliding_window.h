@@ -54,6 +54,9 @@ class SlidingWindow {
   void AddDepth(Time t, DepthObservation observation, const DepthReference& reference,
                 const Eigen::Vector3d& rate_I = Eigen::Vector3d::Zero());
 
+  /// Expects the latest frame to move with `v_I` [m/s, in I], each component to `sigma` [m/s].
+  void AddVelocity(const Eigen::Vector3d& v_I, double sigma);
+
   /// Ties a ping to the latest frame. `estimated`: the landmarks of its patch that the window has;
   /// the observation holds the others. When a landmark or the frame leaves, what is left of the
   /// patch counts as fixed.
