@@ -41,6 +41,7 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       initialiser_(config.initialiser, rig.stereo, imu_.noise(), InitialisersDepth(rig, config)),
       depths_(rig.depth, config.depth_gate),
       monitor_(config.tracking),
+      habit_(config.habit),
       landmark_memory_(Duration::FromSeconds(config.sonar.memory_s)) {}
 
 void Svin2::Start(const std::optional<NavState>& known) { known_ = known; }
@@ -139,6 +140,7 @@ void Svin2::Advance(const PendingFrame& pending) {
 void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
   const NavState before = window_->Latest();
   window_->AddFrame(seen, imu);
+  if (monitor_.Status() == TrackingStatus::kLost) ExpectHabit(seen.t - before.t);
   UseDepths();
   UsePings(before, window_->Latest());
   {
@@ -212,6 +214,10 @@ void Svin2::UseDepths() {
   for (EstimatorEvent& event : depths_.Feed(*window_, imu_)) events_.push_back(std::move(event));
 }
 
+void Svin2::ExpectHabit(Duration since_last) {
+  if (const auto sigma = habit_.SigmaEach(since_last)) window_->AddVelocity(habit_.v_I(), *sigma);
+}
+
 void Svin2::UsePings(const NavState& before, const NavState& now) {
   const StageClock::Lap lap(clock_, "sonar");
   // Pings of one sweep hit the same face: the surest one says what they all say.
@@ -233,6 +239,7 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
   observation.p_IS = rig_.sonar.T_IS.p();
   observation.sigma_range = SonarRangeSigma(rig_.sonar);
   observation.sigma_patch = best->sigma;
+  CheckRigScale(now.t, observation, best->innovation);
   std::vector<LandmarkId> estimated;
   std::vector<Eigen::Vector3d> departed;
   for (const PatchCandidate& member : best->members) {
@@ -243,6 +250,13 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
     }
   }
   window_->AddSonar(observation, estimated, departed);
+}
+
+void Svin2::CheckRigScale(Time t, const SonarRangeObservation& ping, double innovation) {
+  // Drift in the dark is no matter of the rig.
+  if (monitor_.Status() != TrackingStatus::kTracking) return;
+  rig_scale_.Add(ping.range, innovation, std::hypot(ping.sigma_range, ping.sigma_patch));
+  if (const auto complaint = rig_scale_.Complaint()) Say(t, *complaint);
 }
 
 std::optional<SonarPatch> Svin2::PatchOf(const PingRay& ping) const {
@@ -266,6 +280,7 @@ void Svin2::Publish() {
     estimate.pose_covariance = window_->LatestCovariance();
   }
   estimate.status = monitor_.Update(estimate.state.t, window_->LandmarksInView());
+  if (estimate.status == TrackingStatus::kTracking) habit_.Learn(estimate.state);
   estimate.map_id = map_id_;
   latest_ = estimate;
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});

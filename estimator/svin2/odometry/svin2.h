@@ -14,6 +14,7 @@
 #include "estimator/svin2/odometry/imu_buffer.h"
 #include "estimator/svin2/odometry/svin2_config.h"
 #include "estimator/svin2/sonar/landmark_memory.h"
+#include "estimator/svin2/sonar/rig_scale_check.h"
 #include "estimator/svin2/sonar/sonar_patch.h"
 #include "sensors_models/measurement/rig.h"
 
@@ -67,7 +68,9 @@ class Svin2 final : public Estimator {
   void BeginFrom(const InitialisedStart& start);
   Pose Placement(Time t, const Eigen::Quaterniond& q) const;
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
+  void ExpectHabit(Duration since_last);
   void UsePings(const NavState& before, const NavState& now);
+  void CheckRigScale(Time t, const SonarRangeObservation& ping, double innovation);
   std::optional<SonarPatch> PatchOf(const PingRay& ping) const;
   void UseDepths();
   void Publish();
@@ -82,6 +85,7 @@ class Svin2 final : public Estimator {
   std::unique_ptr<SlidingWindow> window_;  // Nothing before the first state.
   DepthLink depths_;
   TrackingMonitor monitor_;
+  SwimmingHabit habit_;
 
   std::deque<PendingFrame> frames_;
   std::optional<Time> last_frame_;    // Taken in.
@@ -89,6 +93,7 @@ class Svin2 final : public Estimator {
   std::deque<PendingPing> pings_;
   std::optional<Time> last_ping_;
   LandmarkMemory landmark_memory_;
+  RigScaleCheck rig_scale_{RigScaleCheck::Config{}};
   std::optional<NavState> known_;
 
   std::optional<NavEstimate> latest_;

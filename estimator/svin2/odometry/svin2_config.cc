@@ -21,6 +21,12 @@ void ReadWindow(YamlReader& reader, WindowConfig& window) {
       reader.Real("max_reprojection_chi2", Bounds::Positive(), window.max_reprojection_chi2);
 }
 
+void ReadHabit(YamlReader& reader, SwimmingHabit::Config& habit) {
+  habit.memory_s = reader.Real("memory_s", Bounds::Positive(), habit.memory_s);
+  habit.sigma = reader.Real("sigma_m_s", Bounds::NotNegative(), habit.sigma);
+  habit.correlation_s = reader.Real("correlation_s", Bounds::Positive(), habit.correlation_s);
+}
+
 }  // namespace
 
 Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults) {
@@ -36,6 +42,7 @@ Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults
       config.initialiser = ReadInitialiserConfig(initialiser);
     });
     reader.OptionalMap("window", [&](YamlReader& window) { ReadWindow(window, config.window); });
+    reader.OptionalMap("habit", [&](YamlReader& habit) { ReadHabit(habit, config.habit); });
     return config;
   });
 }

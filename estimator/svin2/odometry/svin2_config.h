@@ -4,6 +4,7 @@
 #include "estimator/svin2/frontend/feature_tracker.h"
 #include "estimator/svin2/initialisation/initialiser_config.h"
 #include "estimator/svin2/odometry/depth_gate.h"
+#include "estimator/svin2/odometry/swimming_habit.h"
 #include "estimator/svin2/odometry/tracking_monitor.h"
 #include "estimator/svin2/sonar/sonar_patch.h"
 #include "estimator/svin2/window/sliding_window.h"
@@ -30,6 +31,7 @@ struct Svin2Config {
   SonarConfig sonar;
   DepthGate::Config depth_gate;
   TrackingMonitor::Config tracking;
+  SwimmingHabit::Config habit;  ///< What is expected of a body that is lost.
 };
 
 /// Reads `options` over `defaults`, strictly: InputError with file, line and key.

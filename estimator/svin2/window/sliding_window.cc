@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "estimator/svin2/factors/body_velocity_factor.h"
 #include "estimator/svin2/factors/imu_factor.h"
 #include "estimator/svin2/factors/reprojection_factor.h"
 #include "sensors_models/base/check.h"
@@ -124,6 +125,12 @@ void SlidingWindow::AddDepth(Time t, DepthObservation observation, const Eigen::
 
 std::optional<double> SlidingWindow::SurfaceHeight() const {
   return surface_ ? std::optional(graph_.Values(*surface_).front()) : std::nullopt;
+}
+
+void SlidingWindow::AddVelocity(const Eigen::Vector3d& v_I, double sigma) {
+  const Frame& latest = frames_.back();
+  graph_.AddFactor(std::make_unique<BodyVelocityFactor>(v_I, sigma),
+                   {latest.pose, *latest.speed_bias});
 }
 
 void SlidingWindow::AddSonar(SonarRangeObservation observation, std::vector<LandmarkId> estimated,

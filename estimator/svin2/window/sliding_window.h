@@ -58,6 +58,9 @@ class SlidingWindow {
   /// Height at which the pressure sensor would read 0 [m, in W]; nothing before the first reading.
   std::optional<double> SurfaceHeight() const;
 
+  /// Expects the latest frame to move with `v_I` [m/s, in I], each component to `sigma` [m/s].
+  void AddVelocity(const Eigen::Vector3d& v_I, double sigma);
+
   /// Ties a ping to the latest frame. Its patch: `estimated` landmarks, which the window has, and
   /// `departed` ones [m, in W], which are held at the window's oldest frame. Where a landmark or
   /// one of the two frames leaves, what is left of the patch is held there too.

@@ -38,6 +38,7 @@ TEST(Svin2Config, ReadsWhatIsSaid) {
   const Svin2Config config = Read(
       "use_sonar: false\nuse_depth: false\nimu_noise_inflation: 2.5\n"
       "window: {keyframes: 8, recent_frames: 4, iterations: 3, solver_time_s: 0.02}\n"
+      "habit: {memory_s: 8, sigma_m_s: 0.2, correlation_s: 4}\n"
       "frontend: {preprocess: false}\ninitialiser: {min_landmarks: 20}\n");
   EXPECT_FALSE(config.use_sonar);
   EXPECT_FALSE(config.use_depth);
@@ -46,6 +47,9 @@ TEST(Svin2Config, ReadsWhatIsSaid) {
   EXPECT_EQ(config.window.recent_frames, 4);
   EXPECT_EQ(config.window.solver.iterations, 3);
   EXPECT_EQ(config.window.solver.seconds, 0.02);
+  EXPECT_EQ(config.habit.memory_s, 8.0);
+  EXPECT_EQ(config.habit.sigma, 0.2);
+  EXPECT_EQ(config.habit.correlation_s, 4.0);
   EXPECT_FALSE(config.frontend.preprocess);
   EXPECT_EQ(config.initialiser.min_landmarks, 20);
 }

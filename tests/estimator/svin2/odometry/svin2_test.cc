@@ -164,5 +164,27 @@ TEST(Svin2, StartsANewMapAfterItWasLost) {
   EXPECT_LT((last.T_WI.p() - testing::MotionAt(last.t).T_WI.p()).norm(), 0.2);
 }
 
+/// How far a body is thought to be from where it is after 40 s of darkness, begun with a tilt of
+/// 0.02 rad that nothing shows.
+double ErrorAfterDarkness(double habit_sigma) {
+  Svin2Config config;
+  config.tracking.longest_blindness_s = 2.0;
+  config.habit.sigma = habit_sigma;
+  SyntheticDive dive(config);
+  dive.is_dark = [](Time) { return true; };
+  NavState tilted = testing::MotionAt(Time{});
+  tilted.T_WI = Pose(ExpSO3({0.02, 0.0, 0.0}) * tilted.T_WI.q(), tilted.T_WI.p());
+  dive.estimator->Start(tilted);
+  dive.RunTo(40.0);
+  EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kLost);
+  const StampedPose& last = dive.estimator->Odometry().back();
+  return (last.T_WI.p() - testing::MotionAt(last.t).T_WI.p()).norm();
+}
+
+TEST(Svin2, DoesNotRunAwayWhenItIsLost) {
+  EXPECT_GT(ErrorAfterDarkness(0.0), 50.0) << "as an IMU does by itself";
+  EXPECT_LT(ErrorAfterDarkness(SwimmingHabit::Config{}.sigma), 15.0) << "it swims by 8 m";
+}
+
 }  // namespace
 }  // namespace drydock::svin2
