@@ -27,9 +27,8 @@ struct KeyframePoint {
 
 /// One sonar range that met landmarks of the keyframe.
 struct KeyframePing {
-  /// Its fixed landmarks are in the body's frame at the keyframe, where the window has them in W.
-  SonarRangeObservation observation;
-  std::vector<std::size_t> points;  ///< Indices of the keyframe's points that made its patch.
+  SonarRangeObservation observation;  ///< It holds no landmarks: the keyframe sees all of them.
+  std::vector<std::size_t> points;    ///< Indices of the keyframe's points that made its patch.
 };
 
 struct Keyframe {
