@@ -99,8 +99,7 @@ void LoopBundle::AddRangesOf(const Keyframe& keyframe, bool is_now, ByPoint& by_
   };
   for (const KeyframePing& ping : keyframe.pings) {
     if (std::ranges::none_of(ping.points, is_known) ||
-        !std::ranges::all_of(ping.points, can_be_added) ||
-        (is_now && !ping.observation.fixed_landmarks.empty())) {
+        !std::ranges::all_of(ping.points, can_be_added)) {
       continue;
     }
     std::vector<BlockId> blocks;
