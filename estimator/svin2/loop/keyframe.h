@@ -40,7 +40,7 @@ struct Keyframe {
   Time t;
   Pose T_WI;       ///< As odometry has it.
   int map_id = 0;  ///< Of the odometry's map; poses of different maps do not compare.
-  std::vector<KeyframePoint> points;
+  std::vector<KeyframePoint> points;  ///< Sorted by id.
   std::vector<KeyframePing> pings;
   std::optional<OdometryLink> link;  ///< Nothing at the first keyframe of a map.
   /// Of T_WI, as odometry believes: [m, rad], left perturbation, in W.

@@ -19,7 +19,6 @@ Keyframe DescribeKeyframe(const SlidingWindow& window, const TrackedFrame& seen,
     KeyframePoint point{tracked.id, tracked.left, tracked.right, tracked.sigma_px,
                         *tracked.descriptor};
     if (const auto p_W = window.LandmarkPosition(tracked.id)) point.p_I = T_IW * *p_W;
-    if (!point.p_I && !point.right) continue;
     places.emplace(tracked.id, keyframe.points.size());
     keyframe.points.push_back(point);
   }

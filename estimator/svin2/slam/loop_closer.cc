@@ -41,6 +41,19 @@ double DriftSigma(const Keyframe& then, const Keyframe& now) {
   return std::sqrt(std::max(variance(now) - variance(then), 0.0));
 }
 
+/// How many points of one keyframe the other has too. Points are sorted by id.
+int NumShared(const Keyframe& then, const Keyframe& now) {
+  int shared = 0;
+  auto at = now.points.begin();
+  for (const KeyframePoint& point : then.points) {
+    at = std::lower_bound(at, now.points.end(), point.id,
+                          [](const KeyframePoint& p, LandmarkId id) { return p.id < id; });
+    if (at == now.points.end()) break;
+    if (at->id == point.id) ++shared;
+  }
+  return shared;
+}
+
 }  // namespace
 
 LoopCloser::LoopCloser(const LoopCloserConfig& config, const StereoSheet& sheet,
@@ -81,18 +94,20 @@ std::vector<LoopCloser::Candidate> LoopCloser::FindCandidates(const Keyframe& no
   const std::vector<PlaceMatch> alike = consistency_.Update(
       places_.LoopCandidates(bag.words, {keyframes_.back().index},
                              keyframes_[old_enough - 1].index + 1, config_.candidates));
-  const auto count = std::min(alike.size(), static_cast<std::size_t>(config_.max_verified));
-  for (std::size_t k = 0; k < count; ++k)
-    candidates.push_back({PlaceOf(alike[k].keyframe), std::nullopt});
+  int count = 0;
+  for (const PlaceMatch& match : alike) {
+    const std::size_t then = PlaceOf(match.keyframe);
+    if (NumShared(keyframes_[then], now) > config_.max_tracked) continue;
+    if (++count > config_.max_verified) break;
+    candidates.push_back({then, std::nullopt});
+  }
   return candidates;
 }
 
 std::size_t LoopCloser::NumOldEnough(const Keyframe& now) const {
   const Time latest = now.t - Duration::FromSeconds(config_.min_age_s);
   const auto end = std::ranges::upper_bound(keyframes_, latest, {}, &Keyframe::t);
-  const auto excluded = static_cast<std::size_t>(config_.excluded_keyframes);
-  return std::min(static_cast<std::size_t>(end - keyframes_.begin()),
-                  keyframes_.size() - std::min(keyframes_.size(), excluded));
+  return static_cast<std::size_t>(end - keyframes_.begin());
 }
 
 std::optional<LoopCloser::Candidate> LoopCloser::FindNearby(const Keyframe& now,
@@ -106,7 +121,9 @@ std::optional<LoopCloser::Candidate> LoopCloser::FindNearby(const Keyframe& now,
     const Pose T_then_now = graph().T_GI()[k].Inverse() * T_GI;
     const double apart = std::max(T_then_now.p().norm() / rule.max_distance_m,
                                   LogSO3(T_then_now.q()).norm() / rule.max_angle_rad);
-    if (apart >= least || DriftSigma(then, now) > rule.max_drift_sigma_m) continue;
+    if (apart >= least || DriftSigma(then, now) > rule.max_drift_sigma_m ||
+        NumShared(then, now) > config_.max_tracked)
+      continue;
     least = apart;
     best = Candidate{k, T_then_now};
   }

@@ -18,8 +18,8 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   const auto integer = [&](const char* key, double low, double high, int value) {
     return static_cast<int>(reader.Integer(key, {low, high}, value));
   };
-  config.excluded_keyframes = integer("excluded_keyframes", 1, 10'000, config.excluded_keyframes);
   config.min_age_s = reader.Real("min_age_s", Bounds::NotNegative(), config.min_age_s);
+  config.max_tracked = integer("max_tracked", 0, 10'000, config.max_tracked);
   config.candidates.neighbour_share =
       reader.Real("neighbour_share", {0.0, 10.0}, config.candidates.neighbour_share);
   config.candidates.min_score = reader.Real("min_score", {0.0, 1.0}, config.candidates.min_score);

@@ -19,12 +19,12 @@ struct NearbyRule {
 };
 
 struct LoopCloserConfig {
-  /// The newest keyframes are no candidates: those of the window,
-  int excluded_keyframes = 8;
-  /// and those of the last moments [s], of which odometry knows all that there is to know.
+  /// Keyframes of the last moments are no candidates: of them odometry knows all that there is to
+  /// know. Neither are those of which so many points are still tracked, which the window knows.
   double min_age_s = 10.0;
+  int max_tracked = 10;
   /// Looks alone tell places apart weakly: geometry decides, so most candidates may come to it.
-  LoopCandidateRule candidates = {.neighbour_share = 0.3};
+  LoopCandidateRule candidates = {.neighbour_share = 0.1, .min_score = 0.01};
   CandidateConsistency::Config consistency = {.max_gap = 3, .required = 1};
   int max_verified = 3;  ///< Candidates by looks that are verified, the best first.
   NearbyRule nearby;

@@ -144,9 +144,12 @@ TEST(LoopCloser, WhatIsYoungIsNoCandidate) {
   LoopCloserConfig config = SmallConfig();
   config.min_age_s = 1000.0;
   EXPECT_TRUE(Close(MakeRounds(), config)->Loops().empty());
-  config = SmallConfig();
-  config.excluded_keyframes = 1000;
-  EXPECT_TRUE(Close(MakeRounds(), config)->Loops().empty());
+}
+
+// Were it tracked all the way round, the window would know all about it.
+TEST(LoopCloser, WhatIsStillTrackedIsNoCandidate) {
+  const Rounds rounds = MakeRounds({.still_tracked = true});
+  EXPECT_TRUE(Close(rounds)->Loops().empty());
 }
 
 // The same words, other geometry.

@@ -89,6 +89,7 @@ class Diver {
     rounds_.truth.push_back(T_WI);
   }
 
+  /// Ids rise with each view, as if nothing was tracked from one to the next.
   void See(const std::vector<Landmark>& landmarks, const Pose& T_WI, Keyframe& keyframe) {
     const auto noise = [this]() -> Eigen::Vector2d {
       const double u = random_.Gaussian();
@@ -102,12 +103,14 @@ class Diver {
       const auto right = rig_.camera(1).Project(rig_.T_IC(1).Inverse() * p_I);
       if (!left || !right || !rig_.camera(0).IsInside(*left) || !rig_.camera(1).IsInside(*right))
         continue;
-      KeyframePoint point{.id = k + 1, .sigma_px = kPixelSigma};
+      const LandmarkId first = config_.still_tracked ? 1 : 1 + views_ * kLandmarks;
+      KeyframePoint point{.id = first + k, .sigma_px = kPixelSigma};
       point.left = *left + noise();
       point.right = *right + noise();
       point.descriptor = Disturbed(landmarks[k].descriptor, kChangedBits, random_);
       keyframe.points.push_back(point);
     }
+    ++views_;
   }
 
   /// Where odometry has it, from the keyframe before.
@@ -140,6 +143,7 @@ class Diver {
   Keyframe before_;
   Pose truth_before_;
   bool has_keyframe_ = false;
+  LandmarkId views_ = 0;
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ struct RoundsConfig {
   bool lost_between = false;
   /// From the second round on everything looks as before, but lies elsewhere.
   bool is_shuffled = false;
+  /// A landmark has the same id in all rounds.
+  bool still_tracked = false;
   /// In the second round so many keyframes in a row show what another place shows, a quarter of
   /// a round away.
   int look_alikes = 0;
