@@ -35,6 +35,9 @@ struct NavEstimate {
   TrackingStatus status = TrackingStatus::kInitialising;
   /// Counts up when the estimator starts afresh, with no known relation to the world frame before.
   int map_id = 0;
+  /// Takes the world frame to where it would be without drift, by the loops closed so far; the
+  /// state itself stays smooth.
+  Pose T_GW;
 };
 
 /// A place that the estimator recognised.

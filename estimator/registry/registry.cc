@@ -5,6 +5,7 @@
 
 #include "estimator/dead_reckoning/dead_reckoning.h"
 #include "estimator/svin2/odometry/svin2.h"
+#include "estimator/svin2/slam/svin2_slam.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/yaml_reader.h"
 
@@ -52,6 +53,8 @@ constexpr std::array kEstimators = {
     EstimatorEntry{"svin2-nodepth", "SVIn2 without pressure and loop closing", MakeSvin2NoDepth,
                    kSvin2OnRobot},
     EstimatorEntry{"svin2-noloop", "SVIn2 without loop closing", MakeSvin2NoLoop, kSvin2OnRobot},
+    EstimatorEntry{"svin2", "SVIn2: sonar, vision, inertia, depth and loop closing",
+                   svin2::MakeSvin2Slam, kSvin2OnRobot},
 };
 
 }  // namespace

@@ -58,6 +58,7 @@ FeatureTracker::FeatureTracker(const Config& config, const StereoSheet& sheet)
 void FeatureTracker::Restart() {
   tracks_.clear();
   before_.reset();
+  last_described_.reset();
   keyframes_.Restart();
   memory_.Clear();
 }
@@ -106,9 +107,14 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
   frame = Report(t);
   frame.tracked = tracked;
   frame.is_keyframe = is_due && keyframes_.Keep(frame.points);
-  if (frame.is_keyframe && config_.matching != Matching::kPatches) {
+  if (config_.matching == Matching::kPatches) return frame;
+  if (frame.is_keyframe) {
     memory_.Keep(tracks_);
-    ReportDescriptors(frame.points);
+    ReportDescriptors(tracks_, frame);
+  } else if (IsToBeDescribed(t)) {
+    std::vector<FeatureTrack> described = tracks_;
+    Describe(context, described);
+    ReportDescriptors(described, frame);
   }
   return frame;
 }
@@ -316,9 +322,17 @@ TrackedFrame FeatureTracker::Report(Time t) const {
   return frame;
 }
 
-// At keyframes alone: in between, tracks have the descriptors of their last keyframe.
-void FeatureTracker::ReportDescriptors(std::vector<TrackedPoint>& points) const {
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].descriptor = tracks_[i].descriptor;
+bool FeatureTracker::IsToBeDescribed(Time t) const {
+  return config_.describe_every && last_described_ &&
+         t - *last_described_ >= *config_.describe_every;
+}
+
+void FeatureTracker::ReportDescriptors(const std::vector<FeatureTrack>& tracks,
+                                       TrackedFrame& frame) {
+  for (std::size_t i = 0; i < frame.points.size(); ++i)
+    frame.points[i].descriptor = tracks[i].descriptor;
+  frame.is_described = true;
+  last_described_ = frame.t;
 }
 
 }  // namespace drydock::svin2

@@ -48,6 +48,9 @@ class FeatureTracker {
     TrackGate::Config gate;
     KeyframeRule::Config keyframes;
     int memory_keyframes = 3;  ///< The newest, whose lost points are looked for.
+    /// Frames this long after the last that was described are described too, for loop closing;
+    /// nothing: keyframes alone. Tracks stay as they are.
+    std::optional<Duration> describe_every = std::nullopt;
     /// Standard deviation of a pixel's coordinate where the anchor is recognised perfectly, and
     /// how it grows with 1 - correlation. As measured, see docs/models.md.
     double sigma_px = 0.12;
@@ -97,7 +100,8 @@ class FeatureTracker {
                                    std::vector<FeatureTrack>& corners) const;
   std::vector<FeatureTrack> NewTracks(const cv::Mat& image) const;
   TrackedFrame Report(Time t) const;
-  void ReportDescriptors(std::vector<TrackedPoint>& points) const;
+  bool IsToBeDescribed(Time t) const;
+  void ReportDescriptors(const std::vector<FeatureTrack>& tracks, TrackedFrame& frame);
 
   Config config_;
   StereoGeometry geometry_;
@@ -115,6 +119,7 @@ class FeatureTracker {
   LandmarkId next_id_ = 1;
   std::vector<FeatureTrack> tracks_;  // Sorted by id.
   std::optional<Pyramids> before_;
+  std::optional<Time> last_described_;
 };
 
 }  // namespace drydock::svin2

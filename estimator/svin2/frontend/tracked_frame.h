@@ -19,7 +19,7 @@ struct TrackedPoint {
   Eigen::Vector2d left = Eigen::Vector2d::Zero();  ///< Pixel of the distorted image.
   std::optional<Eigen::Vector2d> right;            ///< Where stereo found it in this frame.
   double sigma_px = 1.0;                           ///< Standard deviation of each coordinate.
-  /// At keyframes, where the front end describes points and the pattern fits the image.
+  /// Where the frame is described and the pattern fits the image.
   std::optional<Descriptor> descriptor = std::nullopt;
 };
 
@@ -27,6 +27,7 @@ struct TrackedFrame {
   Time t;
   std::vector<TrackedPoint> points;  ///< Sorted by id.
   bool is_keyframe = false;
+  bool is_described = false;  ///< Its points have descriptors.
   // For health:
   int tracked = 0;          ///< Points that were known before this frame.
   int empty_quadrants = 0;  ///< Of the left image.

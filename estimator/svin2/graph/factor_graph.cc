@@ -225,11 +225,15 @@ void FactorGraph::Marginalise(std::span<const BlockId> gone) {
 }
 
 std::optional<Eigen::MatrixXd> FactorGraph::CovarianceOf(BlockId block) const {
+  const std::array<BlockId, 1> blocks = {block};
+  return CovarianceOf(blocks);
+}
+
+std::optional<Eigen::MatrixXd> FactorGraph::CovarianceOf(std::span<const BlockId> blocks) const {
   std::vector<FactorId> all;
   all.reserve(factors_.size());
   for (const auto& [id, factor] : factors_) all.push_back(id);
-  const std::array<BlockId, 1> kept = {block};
-  const LinearPrior reduced = Reduce(all, kept);
+  const LinearPrior reduced = Reduce(all, blocks);
   const Eigen::MatrixXd information = reduced.jacobian.transpose() * reduced.jacobian;
   if (reduced.jacobian.rows() < information.rows()) return std::nullopt;
   const Eigen::LLT<Eigen::MatrixXd> cholesky(information);

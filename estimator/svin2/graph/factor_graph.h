@@ -74,8 +74,9 @@ class FactorGraph {
   void Marginalise(std::span<const BlockId> gone);
   bool IsInPrior(BlockId block) const;
 
-  /// Covariance of the tangent of `block`, all others being unknown too; nothing where it is not
-  /// determined.
+  /// Joint covariance of the tangents of `blocks`, in this order, all others being unknown too;
+  /// nothing where it is not determined.
+  std::optional<Eigen::MatrixXd> CovarianceOf(std::span<const BlockId> blocks) const;
   std::optional<Eigen::MatrixXd> CovarianceOf(BlockId block) const;
 
   std::size_t num_blocks() const { return blocks_.size(); }

@@ -9,6 +9,7 @@
 #include "estimator/svin2/factors/sonar_range_factor.h"
 #include "estimator/svin2/frontend/descriptor_extractor.h"
 #include "estimator/svin2/frontend/tracked_frame.h"
+#include "estimator/svin2/window/odometry_link.h"
 #include "sensors_models/base/pose.h"
 #include "sensors_models/base/time.h"
 
@@ -33,11 +34,17 @@ struct KeyframePing {
 
 struct Keyframe {
   int index = 0;
+  /// A frame between keyframes, of which the index is that of the keyframe before: it looks for its
+  /// place, and is not remembered.
+  bool is_glimpse = false;
   Time t;
   Pose T_WI;       ///< As odometry has it.
   int map_id = 0;  ///< Of the odometry's map; poses of different maps do not compare.
-  std::vector<KeyframePoint> points;
+  std::vector<KeyframePoint> points;  ///< Sorted by id.
   std::vector<KeyframePing> pings;
+  std::optional<OdometryLink> link;  ///< Nothing at the first keyframe of a map.
+  /// Of T_WI, as odometry believes: [m, rad], left perturbation, in W.
+  std::optional<Eigen::Matrix<double, 6, 6>> covariance;
 };
 
 }  // namespace drydock::svin2

@@ -26,19 +26,16 @@ Matrix6d CovarianceOfInverse(const Pose& T_then_now, const Matrix6d& covariance)
   return Carried(by_tangent, covariance);
 }
 
-Matrix6d CovarianceOnTheRight(const Pose& T_then_now, const Matrix6d& covariance) {
-  const Eigen::Matrix3d R = T_then_now.R().transpose();
-  Matrix6d by_tangent = Matrix6d::Zero();
-  by_tangent.topLeftCorner<3, 3>() = R;
-  by_tangent.bottomRightCorner<3, 3>() = R;
-  return Carried(by_tangent, covariance);
-}
-
-// Exp([rho, phi]) moves p by rho + phi x p.
-Matrix6d CovarianceOnSe3(const Pose& T_then_now, const Matrix6d& covariance) {
-  Matrix6d by_tangent = Matrix6d::Identity();
-  by_tangent.topRightCorner<3, 3>() = Skew(T_then_now.p());
-  return Carried(by_tangent, covariance);
+// T_then_before = T_then_now T_now_before: what turns `now` swings `before` about it, and what
+// moves or turns `before` in now's frame is turned into then's.
+LoopEdge AtKeyframeBefore(const LoopEdge& loop, const OdometryLink& link) {
+  const Pose T_now_before = link.T_before_now.Inverse();
+  Matrix6d by_loop = Matrix6d::Identity(), by_link = Matrix6d::Zero();
+  by_loop.topRightCorner<3, 3>() = -Skew(loop.T_then_now.q() * T_now_before.p());
+  by_link.topLeftCorner<3, 3>() = by_link.bottomRightCorner<3, 3>() = loop.T_then_now.R();
+  return {loop.T_then_now * T_now_before,
+          Carried(by_loop, loop.covariance) +
+              Carried(by_link, CovarianceOfInverse(link.T_before_now, link.covariance))};
 }
 
 }  // namespace drydock::svin2

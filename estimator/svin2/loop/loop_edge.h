@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "estimator/svin2/window/odometry_link.h"
 #include "sensors_models/base/pose.h"
 
 namespace drydock::svin2 {
@@ -16,13 +17,13 @@ Pose Drift(const Pose& T_graph_then, const Pose& T_then_now, const Pose& T_W_now
 Eigen::Matrix<double, 6, 6> CovarianceOfInverse(const Pose& T_then_now,
                                                 const Eigen::Matrix<double, 6, 6>& covariance);
 
-/// For a tangent on the right, [dp, da] in now's body frame: T_then_now * (dp, exp(da)).
-Eigen::Matrix<double, 6, 6> CovarianceOnTheRight(const Pose& T_then_now,
-                                                 const Eigen::Matrix<double, 6, 6>& covariance);
+struct LoopEdge {
+  Pose T_then_now;
+  Eigen::Matrix<double, 6, 6> covariance;  ///< As a relocalisation has it.
+};
 
-/// For a tangent of SE(3) on the left, Exp([rho, phi]) * T_then_now, in then's body frame, where
-/// the rotation swings the position about then's origin.
-Eigen::Matrix<double, 6, 6> CovarianceOnSe3(const Pose& T_then_now,
-                                            const Eigen::Matrix<double, 6, 6>& covariance);
+/// A loop of a frame between keyframes as the keyframe before it would have it: T_then_before. The
+/// errors of the two are taken to have nothing to do with each other.
+LoopEdge AtKeyframeBefore(const LoopEdge& loop, const OdometryLink& link);
 
 }  // namespace drydock::svin2

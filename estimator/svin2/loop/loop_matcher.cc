@@ -90,11 +90,11 @@ std::vector<LoopMatch> LoopMatcher::Match(const Keyframe& now, const DirectIndex
                                           const Keyframe& then,
                                           const DirectIndex& index_then) const {
   MutualNearest nearest(now, then);
-  for (const auto& [node, points_now] : index_now) {
-    const auto found = index_then.find(node);
-    if (found == index_then.end()) continue;
-    for (const std::size_t i : points_now)
-      for (const std::size_t j : found->second) nearest.Compare(i, j);
+  for (const NodeMembers& members : index_now) {
+    const auto found = std::ranges::lower_bound(index_then, members.node, {}, &NodeMembers::node);
+    if (found == index_then.end() || found->node != members.node) continue;
+    for (const std::size_t i : members.descriptors)
+      for (const std::size_t j : found->descriptors) nearest.Compare(i, j);
   }
   return nearest.Matches(config_.max_distance, config_.max_ratio);
 }

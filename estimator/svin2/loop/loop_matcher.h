@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <vector>
 
 #include "estimator/svin2/frontend/stereo_geometry.h"
 #include "estimator/svin2/loop/keyframe.h"
+#include "estimator/svin2/vocabulary/bag_of_words.h"
 
 namespace drydock::svin2 {
 
@@ -16,9 +15,6 @@ struct LoopMatch {
   std::size_t now = 0, then = 0;  ///< Indices into the keyframes' points.
   int distance = 0;               ///< Bits of 512 that differ.
 };
-
-/// Which of a keyframe's points fall under which node of a vocabulary's tree.
-using DirectIndex = std::map<std::uint32_t, std::vector<std::size_t>>;
 
 /// Matches by descriptors: each is the other's nearest, and for both the nearest point of another
 /// landmark is clearly further.
@@ -35,7 +31,8 @@ class LoopMatcher {
   /// Throws InputError for values that cannot be used.
   explicit LoopMatcher(const Config& config);
 
-  /// Points under the same node are compared, by increasing index of `now`.
+  /// Points below the same node of the vocabulary's tree are compared, by increasing index of
+  /// `now`.
   std::vector<LoopMatch> Match(const Keyframe& now, const DirectIndex& index_now,
                                const Keyframe& then, const DirectIndex& index_then) const;
   /// All points are compared with all.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -149,7 +150,20 @@ void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
   }
   const StageClock::Lap lap(clock_, "marginalisation");
   window_->Slide();
-  landmark_memory_.Add(seen.t, window_->TakeDeparted());
+  const std::vector<Eigen::Vector3d> departed = window_->TakeDeparted();
+  for (const Eigen::Vector3d& p_W : departed) landmarks_.push_back({seen.t, p_W});
+  landmark_memory_.Add(seen.t, departed);
+  NoteKeyframe(seen);
+}
+
+void Svin2::NoteKeyframe(const TrackedFrame& seen) {
+  if (!config_.report_keyframes || !(seen.is_keyframe || seen.is_described)) return;
+  const StageClock::Lap lap(clock_, "keyframes for loops");
+  Keyframe& keyframe = keyframes_.emplace_back(DescribeKeyframe(*window_, seen, tied_pings_));
+  keyframe.is_glimpse = !seen.is_keyframe;
+  if (seen.is_keyframe) ++last_keyframe_;
+  keyframe.index = last_keyframe_;
+  keyframe.map_id = map_id_;
 }
 
 void Svin2::Initialise(const TrackedFrame& seen) {
@@ -166,9 +180,11 @@ void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
   if (const auto imu = imu_.Integrate(known.t, pending.t, {known.gyro_bias, known.accel_bias}))
     state = Propagate(known, *imu);
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
-  window_->Start(state, start_sigmas_, Track(pending, std::nullopt));
+  const TrackedFrame seen = Track(pending, std::nullopt);
+  window_->Start(state, start_sigmas_, seen);
   UseDepths();
   window_->Optimise();
+  NoteKeyframe(seen);
   Publish();
 }
 
@@ -192,6 +208,8 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
   window_->Start(state_of(origin), start_sigmas_, first);
   UseDepths();
+  tied_pings_.clear();
+  NoteKeyframe(first);
   monitor_.Restart();
   for (std::size_t k = 1; k < start.frames.size(); ++k) {
     const NavState before = window_->Latest();
@@ -223,13 +241,16 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
   // Pings of one sweep hit the same face: the surest one says what they all say.
   std::optional<SonarPatch> best;
   SonarRangeObservation observation;
+  tied_pings_.clear();
   for (; !pings_.empty() && pings_.front().t <= now.t; pings_.pop_front()) {
     const auto& [t, ping] = pings_.front();
     const auto imu = imu_.Integrate(before.t, t, {before.gyro_bias, before.accel_bias});
     if (!imu) continue;
     const Pose T_WI = Propagate(before, *imu).T_WI;
     const Pose T_WS = T_WI * rig_.sonar.T_IS;
-    const auto patch = PatchOf({T_WS.p(), T_WS.q() * SonarBeam(ping.head_angle), ping.range});
+    const PingRay ray{T_WS.p(), T_WS.q() * SonarBeam(ping.head_angle), ping.range};
+    echoes_.push_back({t, ray.head_W + ray.range * ray.direction_W});
+    const auto patch = PatchOf(ray);
     if (!patch || (best && patch->sigma >= best->sigma)) continue;
     best = patch;
     observation.range = ping.range + patch->range_correction;
@@ -249,6 +270,7 @@ void Svin2::UsePings(const NavState& before, const NavState& now) {
       departed.push_back(member.p_W);
     }
   }
+  if (departed.empty()) tied_pings_.push_back({observation, estimated});
   window_->AddSonar(observation, estimated, departed);
 }
 
@@ -288,7 +310,9 @@ void Svin2::Publish() {
 
 EstimatedMap Svin2::Map() const {
   EstimatedMap map;
-  if (window_) map.landmarks = window_->LandmarkPositions();
+  const auto position = [](const TimedPoint& point) { return point.p_W; };
+  std::ranges::transform(landmarks_, std::back_inserter(map.landmarks), position);
+  std::ranges::transform(echoes_, std::back_inserter(map.sonar), position);
   return map;
 }
 
@@ -296,7 +320,7 @@ void Svin2::Say(Time t, std::string message) { events_.push_back({t, std::move(m
 
 std::vector<EstimatorEvent> Svin2::TakeEvents() { return std::exchange(events_, {}); }
 
-std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config) {
+std::unique_ptr<Svin2> MakeSvin2(const Rig& rig, const Svin2Config& config) {
   const auto tracker = std::make_shared<FeatureTracker>(config.frontend, rig.stereo);
   return std::make_unique<Svin2>(
       rig, config,

@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "estimator/interface/estimator.h"
 #include "estimator/svin2/initialisation/initialiser.h"
 #include "estimator/svin2/odometry/depth_link.h"
+#include "estimator/svin2/odometry/describe_keyframe.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
 #include "estimator/svin2/odometry/svin2_config.h"
 #include "estimator/svin2/sonar/landmark_memory.h"
@@ -23,6 +25,12 @@ namespace drydock::svin2 {
 /// Follows points through stereo frames: the visual front end.
 using Tracker = std::function<TrackedFrame(
     Time, const StereoFrame&, const std::optional<MotionPrediction>&, const LandmarkLookup&)>;
+
+/// A point of the map and when it was seen last.
+struct TimedPoint {
+  Time t;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
+};
 
 /// The estimator of the paper, without loop closing. Publishes a pose at each stereo frame, once
 /// the IMU has come up to it. Readings that are not finite, and stamps that are not later than the
@@ -42,6 +50,13 @@ class Svin2 final : public Estimator {
   EstimatedMap Map() const override;
   std::vector<EstimatorEvent> TakeEvents() override;
   EstimatorTimings Timings() const override { return clock_.Summary(); }
+
+  /// The keyframes since the last call, if Svin2Config::report_keyframes.
+  std::vector<Keyframe> TakeKeyframes() { return std::exchange(keyframes_, {}); }
+  /// Landmarks that have left the window, where they were last.
+  const std::vector<TimedPoint>& Landmarks() const { return landmarks_; }
+  /// Where the sonar met something.
+  const std::vector<TimedPoint>& Echoes() const { return echoes_; }
 
  private:
   struct PendingFrame {
@@ -72,6 +87,7 @@ class Svin2 final : public Estimator {
   void UsePings(const NavState& before, const NavState& now);
   void CheckRigScale(Time t, const SonarRangeObservation& ping, double innovation);
   std::optional<SonarPatch> PatchOf(const PingRay& ping) const;
+  void NoteKeyframe(const TrackedFrame& seen);
   void UseDepths();
   void Publish();
   void Say(Time t, std::string message);
@@ -94,6 +110,10 @@ class Svin2 final : public Estimator {
   std::optional<Time> last_ping_;
   LandmarkMemory landmark_memory_;
   RigScaleCheck rig_scale_{RigScaleCheck::Config{}};
+  std::vector<TiedPing> tied_pings_;  // To the latest frame.
+  std::vector<Keyframe> keyframes_;
+  int last_keyframe_ = -1;
+  std::vector<TimedPoint> landmarks_, echoes_;
   std::optional<NavState> known_;
 
   std::optional<NavEstimate> latest_;
@@ -105,6 +125,6 @@ class Svin2 final : public Estimator {
 };
 
 /// SVIn2 with its own front end.
-std::unique_ptr<Estimator> MakeSvin2(const Rig& rig, const Svin2Config& config);
+std::unique_ptr<Svin2> MakeSvin2(const Rig& rig, const Svin2Config& config);
 
 }  // namespace drydock::svin2

@@ -29,22 +29,24 @@ void ReadHabit(YamlReader& reader, SwimmingHabit::Config& habit) {
 
 }  // namespace
 
-Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults) {
-  return ReadYaml(options, [&](YamlReader& reader) {
-    Svin2Config config = defaults;
-    config.use_sonar = reader.Boolean("use_sonar", config.use_sonar);
-    config.use_depth = reader.Boolean("use_depth", config.use_depth);
-    config.imu_noise_inflation =
-        reader.Real("imu_noise_inflation", {0.1, 100.0}, config.imu_noise_inflation);
-    reader.OptionalMap(
-        "frontend", [&](YamlReader& frontend) { config.frontend = ReadFeatureTracker(frontend); });
-    reader.OptionalMap("initialiser", [&](YamlReader& initialiser) {
-      config.initialiser = ReadInitialiserConfig(initialiser);
-    });
-    reader.OptionalMap("window", [&](YamlReader& window) { ReadWindow(window, config.window); });
-    reader.OptionalMap("habit", [&](YamlReader& habit) { ReadHabit(habit, config.habit); });
-    return config;
+Svin2Config ReadSvin2Config(YamlReader& reader, const Svin2Config& defaults) {
+  Svin2Config config = defaults;
+  config.use_sonar = reader.Boolean("use_sonar", config.use_sonar);
+  config.use_depth = reader.Boolean("use_depth", config.use_depth);
+  config.imu_noise_inflation =
+      reader.Real("imu_noise_inflation", {0.1, 100.0}, config.imu_noise_inflation);
+  reader.OptionalMap("frontend",
+                     [&](YamlReader& frontend) { config.frontend = ReadFeatureTracker(frontend); });
+  reader.OptionalMap("initialiser", [&](YamlReader& initialiser) {
+    config.initialiser = ReadInitialiserConfig(initialiser);
   });
+  reader.OptionalMap("window", [&](YamlReader& window) { ReadWindow(window, config.window); });
+  reader.OptionalMap("habit", [&](YamlReader& habit) { ReadHabit(habit, config.habit); });
+  return config;
+}
+
+Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults) {
+  return ReadYaml(options, [&](YamlReader& reader) { return ReadSvin2Config(reader, defaults); });
 }
 
 }  // namespace drydock::svin2

@@ -9,6 +9,7 @@
 #include "estimator/svin2/sonar/sonar_patch.h"
 #include "estimator/svin2/window/sliding_window.h"
 #include "sensors_models/base/yaml_node.h"
+#include "sensors_models/base/yaml_reader.h"
 
 namespace drydock::svin2 {
 
@@ -31,10 +32,13 @@ struct Svin2Config {
   SonarConfig sonar;
   DepthGate::Config depth_gate;
   TrackingMonitor::Config tracking;
-  SwimmingHabit::Config habit;  ///< What is expected of a body that is lost.
+  SwimmingHabit::Config habit;    ///< What is expected of a body that is lost.
+  bool report_keyframes = false;  ///< For loop closing; costs a covariance at each keyframe.
 };
 
 /// Reads `options` over `defaults`, strictly: InputError with file, line and key.
 Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults);
+/// The same, where the mapping holds more.
+Svin2Config ReadSvin2Config(YamlReader& reader, const Svin2Config& defaults);
 
 }  // namespace drydock::svin2

@@ -333,6 +333,24 @@ std::optional<Eigen::Matrix<double, 6, 6>> SlidingWindow::LatestCovariance() con
   return Eigen::Matrix<double, 6, 6>(*covariance);
 }
 
+std::optional<OdometryLink> SlidingWindow::LinkToKeyframe() const {
+  const Frame& now = frames_.back();
+  const auto before = std::find_if(frames_.rbegin() + 1, frames_.rend(),
+                                   [](const Frame& frame) { return frame.is_keyframe; });
+  if (before == frames_.rend()) return std::nullopt;
+  const std::array<BlockId, 2> blocks = {before->pose, now.pose};
+  const auto covariance = graph_.CovarianceOf(blocks);
+  if (!covariance) return std::nullopt;
+  const Pose T_WA = graph_.PoseOf(before->pose), T_WB = graph_.PoseOf(now.pose);
+  // Of T_AB = T_WA^-1 T_WB by both poses' perturbations, which are in W.
+  const Eigen::Matrix3d R_AW = T_WA.R().transpose();
+  Eigen::Matrix<double, 6, 12> J = Eigen::Matrix<double, 6, 12>::Zero();
+  J.block<3, 3>(0, 0) = J.block<3, 3>(3, 3) = -R_AW;
+  J.block<3, 3>(0, 6) = J.block<3, 3>(3, 9) = R_AW;
+  J.block<3, 3>(0, 3) = R_AW * Skew(T_WB.p() - T_WA.p());
+  return OdometryLink{T_WA.Inverse() * T_WB, J * *covariance * J.transpose()};
+}
+
 std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) const {
   const auto at = points_.find(id);
   if (at == points_.end() || !at->second.landmark) return std::nullopt;

@@ -18,6 +18,7 @@
 #include "estimator/svin2/frontend/triangulation.h"
 #include "estimator/svin2/graph/factor_graph.h"
 #include "estimator/svin2/preintegration/imu_preintegration.h"
+#include "estimator/svin2/window/odometry_link.h"
 #include "estimator/svin2/window/propagate.h"
 
 namespace drydock::svin2 {
@@ -74,6 +75,8 @@ class SlidingWindow {
 
   NavState Latest() const;
   std::optional<Eigen::Matrix<double, 6, 6>> LatestCovariance() const;
+  /// The latest frame as the newest keyframe before it has it; nothing where there is none.
+  std::optional<OdometryLink> LinkToKeyframe() const;
   std::optional<Eigen::Vector3d> LandmarkPosition(LandmarkId id) const;
   std::vector<Eigen::Vector3d> LandmarkPositions() const;
   /// Calls `visit` with id and position [m, in W] of each landmark.

@@ -60,7 +60,7 @@ TEST(CliReplay, Svin2GivesTheSameBytesAgain) {
   run("run");
   run("again");
   const Outcome estimate = RunDrydock(
-      folder.path(), {"estimate", "run/dataset", "--estimator", "svin2-noloop", "-o", "estimate"});
+      folder.path(), {"estimate", "run/dataset", "--estimator", "svin2", "-o", "estimate"});
   ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
   for (const char* name : {"odometry.tum", "trajectory.tum", "events.log"}) {
     const std::string once = ReadFile(folder.path() / "run" / name);

@@ -10,7 +10,9 @@
 namespace drydock::svin2 {
 namespace {
 
+using testing::IndexOf;
 using testing::MakeLoop;
+using testing::NodeMap;
 using testing::SyntheticLoop;
 
 Relocalisation Check(const SyntheticLoop& loop, const std::optional<Pose>& guess = std::nullopt) {
@@ -38,13 +40,13 @@ TEST(LoopChecker, FindsTheMotion) {
 
 TEST(LoopChecker, ComparesByTheIndexWhereThereIsOne) {
   const SyntheticLoop loop = MakeLoop({.noisy = true});
-  DirectIndex now, then;
-  for (std::size_t k = 0; k < loop.landmarks.size(); ++k) {
+  NodeMap now, then;
+  for (std::uint32_t k = 0; k < loop.landmarks.size(); ++k) {
     now[static_cast<std::uint32_t>(loop.now.points[k].id % 8)].push_back(k);
     then[static_cast<std::uint32_t>(loop.then.points[k].id % 8)].push_back(k);
   }
   const LoopChecker checker({}, loop.rig);
-  EXPECT_TRUE(checker.Check(loop.now, now, loop.then, then).IsGood());
+  EXPECT_TRUE(checker.Check(loop.now, IndexOf(now), loop.then, IndexOf(then)).IsGood());
   EXPECT_EQ(checker.Check(loop.now, {}, loop.then, {}).status, LoopStatus::kFewMatches);
 }
 

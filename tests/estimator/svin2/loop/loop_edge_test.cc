@@ -18,34 +18,38 @@ Matrix6d Covariance() {
   return root * root.transpose();
 }
 
-// The covariance of `tangent` of a loop that is moved by [dp, da] on the left.
+// The covariance of `tangent` of a pose that is moved by [dp, da] of `covariance` on the left.
 template <typename Tangent>
-Matrix6d Numeric(Tangent tangent) {
+Matrix6d Numeric(Tangent tangent, const Pose& pose, const Matrix6d& covariance) {
   Matrix6d by_delta;
   for (int axis = 0; axis < 6; ++axis) {
     by_delta.col(axis) = drydock::testing::NumericDerivative(
-        [&](double by) -> Vector6d { return tangent(kLoop.BoxPlus(by * Vector6d::Unit(axis))); },
+        [&](double by) -> Vector6d { return tangent(pose.BoxPlus(by * Vector6d::Unit(axis))); },
         0.0, 1e-5);
   }
-  return by_delta * Covariance() * by_delta.transpose();
+  return by_delta * covariance * by_delta.transpose();
 }
 
 TEST(LoopEdge, CovarianceOfTheInverse) {
-  const Matrix6d expected =
-      Numeric([](const Pose& T) { return T.Inverse().BoxMinus(kLoop.Inverse()); });
+  const Matrix6d expected = Numeric(
+      [](const Pose& T) { return T.Inverse().BoxMinus(kLoop.Inverse()); }, kLoop, Covariance());
   EXPECT_LT((CovarianceOfInverse(kLoop, Covariance()) - expected).norm(), 1e-7);
 }
 
-TEST(LoopEdge, CovarianceOnTheRight) {
-  const Matrix6d expected =
-      Numeric([](const Pose& T) { return (kLoop.Inverse() * T).BoxMinus(Pose::Identity()); });
-  EXPECT_LT((CovarianceOnTheRight(kLoop, Covariance()) - expected).norm(), 1e-7);
-}
+// By the numeric derivatives of T_then_before by both perturbations.
+TEST(LoopEdge, AtTheKeyframeBefore) {
+  const Pose T_before_now(FromYawPitchRoll(-0.3, 0.2, 0.1), {0.6, 0.1, -0.2});
+  const Matrix6d link = 0.3 * Covariance() + Matrix6d::Identity();
+  const LoopEdge found = AtKeyframeBefore({kLoop, Covariance()}, {T_before_now, link});
+  const Pose expected = kLoop * T_before_now.Inverse();
+  EXPECT_LT(found.T_then_now.BoxMinus(expected).norm(), 1e-12);
 
-TEST(LoopEdge, CovarianceOnSe3) {
-  const Matrix6d expected =
-      Numeric([](const Pose& T) { return (T * kLoop.Inverse()).BoxMinus(Pose::Identity()); });
-  EXPECT_LT((CovarianceOnSe3(kLoop, Covariance()) - expected).norm(), 1e-7);
+  const Matrix6d by_loop =
+      Numeric([&](const Pose& T) { return (T * T_before_now.Inverse()).BoxMinus(expected); }, kLoop,
+              Covariance());
+  const Matrix6d by_link = Numeric(
+      [&](const Pose& T) { return (kLoop * T.Inverse()).BoxMinus(expected); }, T_before_now, link);
+  EXPECT_LT((found.covariance - by_loop - by_link).norm(), 1e-7);
 }
 
 // Odometry that has drifted since `then` by one motion is brought back by that motion.

@@ -10,7 +10,9 @@
 namespace drydock::svin2 {
 namespace {
 
+using testing::IndexOf;
 using testing::MakeLoop;
+using testing::NodeMap;
 
 bool AreRight(const testing::SyntheticLoop& loop, const std::vector<LoopMatch>& matches) {
   return std::ranges::all_of(matches, [&](const LoopMatch& match) {
@@ -49,14 +51,16 @@ TEST(LoopMatcher, RefusesWhatIsTooFarOrTooLikeAnother) {
 TEST(LoopMatcher, ComparesPointsOfTheSameNodeOnly) {
   const auto loop = MakeLoop();
   const std::size_t count = loop.landmarks.size();
-  DirectIndex index_now, index_then;
+  NodeMap index_now, index_then;
   // Landmarks by their id's last digit; 3 has another node in `then`, 4 none.
   for (std::size_t k = 0; k < count; ++k) {
     const auto node = static_cast<std::uint32_t>(loop.then.points[k].id % 10);
-    if (node != 4) index_then[node == 3 ? 33 : node].push_back(k);
-    index_now[static_cast<std::uint32_t>(loop.now.points[k].id % 10)].push_back(k);
+    const auto at = static_cast<std::uint32_t>(k);
+    if (node != 4) index_then[node == 3 ? 33 : node].push_back(at);
+    index_now[static_cast<std::uint32_t>(loop.now.points[k].id % 10)].push_back(at);
   }
-  const auto matches = LoopMatcher({}).Match(loop.now, index_now, loop.then, index_then);
+  const auto matches =
+      LoopMatcher({}).Match(loop.now, IndexOf(index_now), loop.then, IndexOf(index_then));
   EXPECT_EQ(matches.size(), count * 8 / 10);
   EXPECT_TRUE(AreRight(loop, matches));
 }

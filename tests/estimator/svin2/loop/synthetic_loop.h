@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,6 +53,15 @@ inline Descriptor Changed(const Descriptor& descriptor, int bits, RandomStream& 
     changed[at / 64] ^= std::uint64_t{1} << (at % 64);
   }
   return changed;
+}
+
+/// Which points lie below which node.
+using NodeMap = std::map<NodeId, std::vector<std::uint32_t>>;
+
+inline DirectIndex IndexOf(const NodeMap& nodes) {
+  DirectIndex index;
+  for (const auto& [node, points] : nodes) index.push_back({node, points});
+  return index;
 }
 
 /// The pixel of a point of the body's frame; nothing outside the image.

@@ -1,0 +1,17 @@
+// What odometry says of two frames.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "sensors_models/base/pose.h"
+
+namespace drydock::svin2 {
+
+/// A keyframe as the one before it has it.
+struct OdometryLink {
+  Pose T_before_now;
+  /// Of n in measured = true.BoxPlus(n): [m, rad], left perturbation, in I at the keyframe before.
+  Eigen::Matrix<double, 6, 6> covariance;
+};
+
+}  // namespace drydock::svin2
