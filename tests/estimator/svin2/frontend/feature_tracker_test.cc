@@ -1,5 +1,6 @@
 #include "estimator/svin2/frontend/feature_tracker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -268,6 +269,35 @@ TEST(FeatureTracker, DropsWhatMovesOnItsOwn) {
     const Eigen::Vector2d error = dive.wall().PixelOf(PoseAt(0), 0, *p_W).value() - point.left;
     EXPECT_LT(error.norm(), 3.0);
   }
+}
+
+// For loop closing. What is described is what is tracked anyhow.
+TEST(FeatureTracker, DescribesFramesBetweenKeyframesIfToldTo) {
+  FeatureTracker::Config config = Small();
+  Dive plain(config);
+  config.describe_every = Duration{300'000'000};
+  Dive described(config);
+  int glimpses = 0;
+  std::optional<Time> last;
+  for (int k = 0; k < 40; ++k) {
+    const TrackedFrame expected = plain.Swim(k), frame = described.Swim(k);
+    ASSERT_EQ(frame.is_keyframe, expected.is_keyframe);
+    ASSERT_EQ(frame.points.size(), expected.points.size());
+    EXPECT_EQ(expected.is_described, expected.is_keyframe);
+    for (std::size_t i = 0; i < frame.points.size(); ++i) {
+      EXPECT_EQ(frame.points[i].left, expected.points[i].left);
+      EXPECT_TRUE(frame.is_described || !frame.points[i].descriptor);
+    }
+    if (last && !frame.is_described) {
+      EXPECT_LT((frame.t - *last).Seconds(), 0.3);
+    }
+    if (!frame.is_described) continue;
+    last = frame.t;
+    EXPECT_TRUE(std::ranges::any_of(
+        frame.points, [](const TrackedPoint& point) { return point.descriptor.has_value(); }));
+    if (!frame.is_keyframe) ++glimpses;
+  }
+  EXPECT_GE(glimpses, 3);
 }
 
 }  // namespace

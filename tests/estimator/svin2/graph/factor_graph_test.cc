@@ -94,6 +94,18 @@ TEST_F(FactorGraphTest, MarginalisedBlocksAreRemembered) {
   EXPECT_NEAR(At(c), 2.0 + 3.0 * 4.0 / 5.0, 2e-3);
 }
 
+// A chain of unit steps from a unit prior: b has variance 2, c 3, and they share b's.
+TEST_F(FactorGraphTest, CovarianceOfTwoBlocksIsTheirJointOne) {
+  const BlockId a = Add(0.0), b = Add(1.0), c = Add(2.0);
+  graph_.AddFactor(std::make_unique<Value>(0.0), {a});
+  Measure(a, b, 1.0);
+  Measure(b, c, 1.0);
+  const Eigen::MatrixXd joint = graph_.CovarianceOf(std::array{b, c}).value();
+  EXPECT_LT((joint - Eigen::Matrix2d{{2.0, 2.0}, {2.0, 3.0}}).norm(), 1e-9);
+  const Eigen::MatrixXd swapped = graph_.CovarianceOf(std::array{c, b}).value();
+  EXPECT_LT((swapped - Eigen::Matrix2d{{3.0, 2.0}, {2.0, 2.0}}).norm(), 1e-9);
+}
+
 TEST_F(FactorGraphTest, TheLastBlockMarginalisedLeavesNoPrior) {
   const BlockId a = Add(1.0);
   graph_.AddFactor(std::make_unique<Value>(0.0), {a});

@@ -1,5 +1,6 @@
 #include "estimator/svin2/window/sliding_window.h"
 
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -243,6 +244,33 @@ TEST(SlidingWindow, SameInputsSameBytes) {
   EXPECT_EQ(a.T_WI.p(), b.T_WI.p());
   EXPECT_EQ(a.T_WI.q().coeffs(), b.T_WI.q().coeffs());
   EXPECT_EQ(a.v_W, b.v_W);
+}
+
+TEST(SlidingWindow, LinksTheLatestFrameToTheKeyframeBefore) {
+  WindowRun run(300, 0.3);
+  run.Start(testing::MotionAt(Time{}));
+  EXPECT_FALSE(run.window.LinkToKeyframe()) << "to itself";
+  for (int k = 1; k <= 12; ++k) run.Step(k);
+  const OdometryLink link = run.window.LinkToKeyframe().value();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(link.covariance);
+  EXPECT_GT(eigen.eigenvalues().minCoeff(), 0.0);
+  // Less is doubtful since the keyframe than since the start.
+  const auto absolute = run.window.LatestCovariance().value();
+  EXPECT_LT(link.covariance.diagonal().head<3>().sum(), absolute.diagonal().head<3>().sum());
+  // One of the frames before is where it leads to, and within what it admits to.
+  const Pose T_W_before = run.window.Latest().T_WI * link.T_before_now.Inverse();
+  double nearest = 1.0;
+  int keyframe = 0;
+  for (int k = 0; k < 12; ++k) {
+    const double apart = (testing::MotionAt(FrameTime(k)).T_WI.p() - T_W_before.p()).norm();
+    if (apart < nearest) keyframe = k;
+    nearest = std::min(nearest, apart);
+  }
+  EXPECT_LT(nearest, 0.01);
+  const Pose truth =
+      testing::MotionAt(FrameTime(keyframe)).T_WI.Inverse() * testing::MotionAt(FrameTime(12)).T_WI;
+  const Vector6d error = link.T_before_now.BoxMinus(truth);
+  EXPECT_LT(error.dot(link.covariance.llt().solve(error)), 22.5) << "1 of 1000, 6 dof";
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#include "estimator/svin2/odometry/describe_keyframe.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/estimator/svin2/synthetic_motion.h"
+#include "tests/estimator/svin2/synthetic_tracks.h"
+
+namespace drydock::svin2 {
+namespace {
+
+class DescribeKeyframeTest : public ::testing::Test {
+ protected:
+  DescribeKeyframeTest()
+      : tracks_(200, 0.0),
+        window_({}, StereoGeometry(testing::SyntheticStereo())),
+        state_(testing::MotionAt(Time{})),
+        seen_(tracks_.See(Time{}, state_.T_WI)) {
+    for (std::size_t k = 0; k < seen_.points.size(); ++k)
+      if (k % 4 != 0) seen_.points[k].descriptor = Descriptor{k};
+    window_.Start(state_, {}, seen_);
+    window_.Optimise();
+  }
+
+  std::vector<LandmarkId> Estimated(std::size_t count) const {
+    std::vector<LandmarkId> ids;
+    for (const TrackedPoint& point : seen_.points)
+      if (point.descriptor && window_.LandmarkPosition(point.id) && ids.size() < count)
+        ids.push_back(point.id);
+    return ids;
+  }
+
+  testing::SyntheticTracks tracks_;
+  SlidingWindow window_;
+  NavState state_;
+  TrackedFrame seen_;
+};
+
+TEST_F(DescribeKeyframeTest, HasWhatIsDescribed) {
+  const Keyframe keyframe = DescribeKeyframe(window_, seen_, {});
+  EXPECT_EQ(keyframe.t, seen_.t);
+  EXPECT_LT((keyframe.T_WI.p() - state_.T_WI.p()).norm(), 1e-9);
+  EXPECT_FALSE(keyframe.link);
+  EXPECT_TRUE(keyframe.covariance);
+  ASSERT_EQ(keyframe.points.size(), seen_.points.size() - (seen_.points.size() + 3) / 4);
+  int landmarks = 0;
+  for (const KeyframePoint& point : keyframe.points) {
+    const auto p_W = window_.LandmarkPosition(point.id);
+    ASSERT_EQ(point.p_I.has_value(), p_W.has_value());
+    if (!p_W) continue;
+    EXPECT_LT((state_.T_WI * *point.p_I - *p_W).norm(), 1e-9);
+    ++landmarks;
+  }
+  EXPECT_GT(landmarks, 50);
+}
+
+TEST_F(DescribeKeyframeTest, HasPingsOfWhichItSeesTheWholePatch) {
+  SonarRangeObservation observation;
+  observation.range = 2.5;
+  const std::vector<LandmarkId> whole = Estimated(5);
+  std::vector<LandmarkId> not_described = whole;
+  not_described.push_back(seen_.points[0].id);
+  const Keyframe keyframe =
+      DescribeKeyframe(window_, seen_, {{observation, whole}, {observation, not_described}});
+  ASSERT_EQ(keyframe.pings.size(), 1U);
+  EXPECT_EQ(keyframe.pings[0].observation.range, 2.5);
+  ASSERT_EQ(keyframe.pings[0].points.size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_EQ(keyframe.points[keyframe.pings[0].points[k]].id, whole[k]);
+}
+
+}  // namespace
+}  // namespace drydock::svin2
