@@ -11,6 +11,7 @@
 #include "scenarios/dataset/euroc_layout.h"
 #include "scenarios/dataset/euroc_reader.h"
 #include "scenarios/dataset/rig_yaml.h"
+#include "scenarios/results/dense_truth.h"
 #include "scenarios/results/estimator_session.h"
 #include "scenarios/results/realtime_json.h"
 #include "scenarios/results/result_files.h"
@@ -143,11 +144,17 @@ class Player {
     info.renderer = "none";
     info.commit = Commit();
     info.config_hash = ConfigHash();
-    const Trajectory truth = dataset::ToTrajectory(truth_);
+    const Trajectory truth = TruthToScoreBy(results);
     info.known = KnownMetrics(truth, results);
     result_.scorecard = score::Score(info, truth, results.odometry, results.corrected, {});
     WriteScore(folder, fmt::format("{}: {}", info.scenario, info.estimator), truth,
                results.corrected, *result_.scorecard);
+  }
+
+  /// A run has the truth at each frame; so has, nearly, its recording.
+  Trajectory TruthToScoreBy(const Results& results) const {
+    const Trajectory recorded = dataset::ToTrajectory(truth_);
+    return AddInterpolated(AddInterpolated(recorded, results.odometry), results.corrected);
   }
 
   std::string ConfigHash() const {

@@ -51,9 +51,9 @@ struct ReplayResult {
 /// Hands the measurements of an EuRoC folder to an estimator in the order of their arrival and
 /// writes odometry.tum, trajectory.tum, loops.csv, events.log, manifest.json and timings.json to
 /// the output folder and, where the recording has ground truth, truth.tum, scorecard.json and
-/// trajectory.png. What `run --record` recorded gives, in lock step, the odometry of that run
-/// again, byte for byte. InputError if the recording, the rig or the options cannot be used;
-/// nothing is written then.
+/// trajectory.png; the truth is interpolated at the estimate's stamps where it is dense enough.
+/// What `run --record` recorded gives, in lock step, the odometry of that run again, byte for byte.
+/// InputError if the recording, the rig or the options cannot be used; nothing is written then.
 ReplayResult Replay(const std::filesystem::path& recording, const ReplayOptions& options);
 
 }  // namespace drydock

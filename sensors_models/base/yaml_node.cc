@@ -38,26 +38,20 @@ std::size_t LengthOfCharacter(std::string_view text) {
   return length;
 }
 
-bool IsUtf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = LengthOfCharacter(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
 bool IsControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
 }
 
-/// The line, from 1, of the first byte that no UTF-8 text has, or that a text file does not have;
-/// nothing in a text.
-std::optional<int> FindNotText(std::string_view text) {
+enum class Controls { kAllowed, kRefused };
+
+/// The line, from 1, of the first byte that no UTF-8 text has, or of the first control character
+/// that a text file does not have, if those are refused; nothing in a text.
+std::optional<int> FindNotText(std::string_view text, Controls controls) {
   int line = 1;
   while (!text.empty()) {
     const std::size_t length = LengthOfCharacter(text);
-    if (length == 0 || IsControl(text.front())) return line;
+    if (length == 0) return line;
+    if (controls == Controls::kRefused && IsControl(text.front())) return line;
     if (text.front() == '\n') ++line;
     text.remove_prefix(length);
   }
@@ -96,7 +90,7 @@ class Converter {
  private:
   /// yaml-cpp makes a single byte of each of two escapes, which is no character.
   static const std::string& TextOf(const YAML::Node& scalar, const SourcePlace& place) {
-    RequireInput(IsUtf8(scalar.Scalar()),
+    RequireInput(!FindNotText(scalar.Scalar(), Controls::kAllowed),
                  "{}: the escapes \\N and \\_ are not supported; write \\u0085 and \\u00a0",
                  place.ToString());
     return scalar.Scalar();
@@ -288,7 +282,7 @@ YamlNode* YamlNode::Find(std::string_view key) {
 YamlNode ParseYaml(std::string_view text, const std::string& file) {
   const auto name = std::make_shared<const std::string>(file);
   RequireInput(text.size() <= kMaxFileBytes, "{}: larger than {} bytes", file, kMaxFileBytes);
-  if (const auto line = FindNotText(text)) {
+  if (const auto line = FindNotText(text, Controls::kRefused)) {
     RequireInput(false, "{}: is not UTF-8 text", SourcePlace{name, *line}.ToString());
   }
   YamlNode root;

@@ -1,7 +1,14 @@
 #include "sim/motion/spline_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sensors_models/base/check.h"
 
 namespace drydock::sim {
 namespace {
@@ -41,15 +48,41 @@ double ArcLength(const QuinticSpline& spline, double from, double to) {
   return length;
 }
 
+/// Lengths of the straight stretches from way-point to way-point [m].
+std::vector<double> StraightLengths(const std::vector<Waypoint>& waypoints) {
+  std::vector<double> lengths;
+  for (std::size_t i = 1; i < waypoints.size(); ++i)
+    lengths.push_back((waypoints[i].position - waypoints[i - 1].position).norm());
+  return lengths;
+}
+
+/// A curve that settles keeps to less than twice its way-points' polygon, even in a U-turn between
+/// two long stretches. Where stretches are too unequal it swings out between them, is given more
+/// time for that and swings out the further for it, to thousands of kilometres in a few rounds.
+void RequireNearPolygon(const std::vector<Waypoint>& waypoints, const std::vector<double>& lengths,
+                        const std::vector<double>& straight) {
+  constexpr double kMost = 2.0;
+  const double curve = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const double polygon = std::accumulate(straight.begin(), straight.end(), 0.0);
+  if (curve <= kMost * polygon) return;
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < lengths.size(); ++i) {
+    if (lengths[i] - straight[i] > lengths[worst] - straight[worst]) worst = i;
+  }
+  throw InputError(fmt::format(
+      "{}: the curve is {:.4g} m long on the stretch of {:.4g} m to this way-point and {:.4g} m in "
+      "all, must be at most {} times the {:.4g} m of its straight stretches: are neighbouring "
+      "stretches too unequal?",
+      waypoints[worst + 1].place, lengths[worst], straight[worst], curve, kMost, polygon));
+}
+
 /// Chooses the times of the way-points such that each stretch is passed at `speed`, the first and
 /// the last at half of it, since the path starts and ends at rest.
-QuinticSpline FitAtSpeed(const Eigen::MatrixXd& points, double speed) {
-  const auto stretches = static_cast<std::size_t>(points.cols() - 1);
-  std::vector<double> lengths(stretches);
-  for (std::size_t i = 0; i < stretches; ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    lengths[i] = (points.col(column + 1) - points.col(column)).head<3>().norm();
-  }
+QuinticSpline FitAtSpeed(const std::vector<Waypoint>& waypoints, double speed) {
+  const Eigen::MatrixXd points = PathPoints(waypoints);
+  const std::vector<double> straight = StraightLengths(waypoints);
+  const std::size_t stretches = straight.size();
+  std::vector<double> lengths = straight;
   const auto fit = [&](std::vector<double>& times) {
     times.assign(1, 0.0);
     for (std::size_t i = 0; i < stretches; ++i) {
@@ -61,12 +94,13 @@ QuinticSpline FitAtSpeed(const Eigen::MatrixXd& points, double speed) {
   constexpr int kRounds = 8;  // The lengths settle to a per mille within four.
   std::vector<double> times;
   QuinticSpline spline = fit(times);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0;; ++round) {
     for (std::size_t i = 0; i < stretches; ++i)
       lengths[i] = ArcLength(spline, times[i], times[i + 1]);
+    RequireNearPolygon(waypoints, lengths, straight);
+    if (round == kRounds) return spline;
     spline = fit(times);
   }
-  return spline;
 }
 
 /// Angular rate in the body frame from yaw, pitch, roll and their rates.
@@ -83,7 +117,7 @@ Eigen::Vector3d BodyRate(double pitch, double roll, const Eigen::Vector3d& yaw_p
 
 SplineMotion::SplineMotion(const MotionConfig& config, std::uint64_t seed)
     : rest_s_(config.rest_s),
-      path_(FitAtSpeed(PathPoints(config.waypoints), config.speed_m_s)),
+      path_(FitAtSpeed(config.waypoints, config.speed_m_s)),
       sway_(config.sway, seed) {}
 
 std::size_t SplineMotion::NearestWaypoint(Time t) const {

@@ -16,6 +16,7 @@ namespace drydock::sim {
 /// is analytic, so the IMU that is read from it is exact. R_WI = Rz(yaw) Ry(pitch) Rx(roll).
 class SplineMotion final : public Motion {
  public:
+  /// InputError if the curve strays far from the polygon of the way-points.
   SplineMotion(const MotionConfig& config, std::uint64_t seed);
 
   MotionState At(Time t) const override;

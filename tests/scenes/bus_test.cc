@@ -1,21 +1,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "scenes/bus/bus_scene.h"
 #include "scenes/bus/bus_shape.h"
 #include "scenes/bus/site.h"
 #include "scenes/bus/textures.h"
 #include "sensors_models/base/files.h"
+#include "tests/scenes/every_scene.h"
 
 namespace drydock::scenes::bus {
 namespace {
@@ -24,23 +22,13 @@ using Eigen::Vector3d;
 
 constexpr std::uint64_t kSeed = 1;
 
-std::map<std::string, std::string> FilesOf(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) {
-      files[fs::relative(entry.path(), folder).string()] = ReadFile(entry.path());
-    }
-  }
-  return files;
-}
-
 TEST(BusScene, SameSeedGivesTheSameBytes) {
-  const fs::path base = fs::path(testing::TempDir()) / "drydock_bus_test";
+  const fs::path base = fs::path(::testing::TempDir()) / "drydock_bus_test";
   fs::remove_all(base);
   GenerateBus(kSeed, base / "a", 0.1);
   GenerateBus(kSeed, base / "b", 0.1);
-  const auto a = FilesOf(base / "a");
-  const auto b = FilesOf(base / "b");
+  const auto a = testing::FilesOf(base / "a");
+  const auto b = testing::FilesOf(base / "b");
   fs::remove_all(base);
   EXPECT_GT(a.size(), 100U);
   EXPECT_TRUE(a.contains("scene.xml"));
@@ -49,39 +37,23 @@ TEST(BusScene, SameSeedGivesTheSameBytes) {
 }
 
 TEST(BusScene, FilesAreReferredToRelatively) {
-  const fs::path folder = fs::path(testing::TempDir()) / "drydock_bus_mjcf_test";
+  const fs::path folder = fs::path(::testing::TempDir()) / "drydock_bus_mjcf_test";
   fs::remove_all(folder);
   GenerateBus(kSeed, folder, 0.05);
   const std::string xml = ReadFile(folder / "scene.xml");
   EXPECT_EQ(xml.find(folder.string()), std::string::npos);
-  EXPECT_THAT(xml, testing::HasSubstr("meshdir=\"meshes\""));
-  EXPECT_THAT(xml, testing::HasSubstr("<body name=\"bus_side_left\">"));
+  EXPECT_THAT(xml, ::testing::HasSubstr("meshdir=\"meshes\""));
+  EXPECT_THAT(xml, ::testing::HasSubstr("<body name=\"bus_side_left\">"));
   fs::remove_all(folder);
 }
 
 TEST(BusScene, EveryMaterialIsPaintedAndEveryPictureUsed) {
-  const SceneModel model = BuildBusModel(kSeed);
-  std::set<std::string> used;
-  for (const Part& part : model.parts()) used.insert(part.material);
-  std::set<std::string> painted;
-  for (const TextureTask& task : TextureTasks()) painted.insert(task.name);
-  EXPECT_EQ(used, painted);
+  testing::ExpectEveryMaterialPainted(BuildBusModel(kSeed), TextureTasks());
 }
 
 TEST(BusScene, MeshesAreSoundAndNotTooMany) {
   const SceneModel model = BuildBusModel(kSeed);
-  std::set<std::string> geoms;
-  for (const Part& part : model.parts()) {
-    EXPECT_TRUE(geoms.insert(part.geom).second) << part.geom << " twice";
-    const Mesh& mesh = part.mesh;
-    ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << part.geom;
-    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size()) << part.geom;
-    EXPECT_GT(SurfaceArea(mesh), 1e-4) << part.geom;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      ASSERT_TRUE(mesh.positions[i].allFinite() && mesh.uvs[i].allFinite()) << part.geom;
-      ASSERT_NEAR(mesh.normals[i].norm(), 1.0, 1e-6) << part.geom;
-    }
-  }
+  testing::ExpectSoundMeshes(model);
   EXPECT_LT(model.CountTriangles(), 90000U);
 }
 
@@ -158,17 +130,8 @@ TEST(LakeBed, PicturesShareTheirRims) {
 }
 
 TEST(BusTextures, HaveContrastFromMillimetresToDecimetres) {
-  for (const TextureTask& task : TextureTasks()) {
-    const cv::Mat3b image = task.paint(kSeed, 0.5);
-    cv::Mat1b grey;
-    cv::cvtColor(image, grey, cv::COLOR_RGB2GRAY);
-    for (int octave = 0; octave < 5 && std::min(grey.rows, grey.cols) > 40; ++octave) {
-      cv::Mat1f x;
-      cv::Sobel(grey, x, CV_32F, 1, 0, 3, 0.125);
-      EXPECT_GT(cv::mean(cv::abs(x))[0], 1.0) << task.name << ", octave " << octave;
-      cv::resize(grey, grey, {grey.cols / 2, grey.rows / 2}, 0, 0, cv::INTER_AREA);
-    }
-  }
+  for (const TextureTask& task : TextureTasks())
+    testing::ExpectContrastAtEveryScale(task.paint(kSeed, 0.5), task.name);
 }
 
 }  // namespace

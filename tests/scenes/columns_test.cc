@@ -1,20 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "scenes/columns/columns_scene.h"
 #include "scenes/columns/sand.h"
 #include "scenes/columns/stones.h"
 #include "scenes/columns/textures.h"
-#include "sensors_models/base/files.h"
+#include "tests/scenes/every_scene.h"
 
 namespace drydock::scenes::columns {
 namespace {
@@ -22,15 +22,6 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 constexpr std::uint64_t kSeed = 1;
-
-std::map<std::string, std::string> FilesOf(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file())
-      files[fs::relative(entry.path(), folder).string()] = ReadFile(entry.path());
-  }
-  return files;
-}
 
 /// The parts of the standing stones by their bodies.
 std::map<std::string, Mesh> StonesOf(const SceneModel& model) {
@@ -43,14 +34,14 @@ std::map<std::string, Mesh> StonesOf(const SceneModel& model) {
 }
 
 TEST(ColumnsScene, SameSeedGivesTheSameBytes) {
-  const fs::path base = fs::path(testing::TempDir()) / "drydock_columns_test";
+  const fs::path base = fs::path(::testing::TempDir()) / "drydock_columns_test";
   fs::remove_all(base);
   GenerateColumns(kSeed, base / "a", 0.1);
   GenerateColumns(kSeed, base / "b", 0.1);
   GenerateColumns(kSeed + 1, base / "c", 0.1);
-  const auto a = FilesOf(base / "a");
-  const auto b = FilesOf(base / "b");
-  const auto c = FilesOf(base / "c");
+  const auto a = testing::FilesOf(base / "a");
+  const auto b = testing::FilesOf(base / "b");
+  const auto c = testing::FilesOf(base / "c");
   fs::remove_all(base);
   EXPECT_TRUE(a.contains("scene.xml"));
   EXPECT_TRUE(a == b);
@@ -58,27 +49,12 @@ TEST(ColumnsScene, SameSeedGivesTheSameBytes) {
 }
 
 TEST(ColumnsScene, EveryMaterialIsPaintedAndEveryPictureUsed) {
-  const SceneModel model = BuildColumnsModel(kSeed);
-  std::set<std::string> used;
-  for (const Part& part : model.parts()) used.insert(part.material);
-  std::set<std::string> painted;
-  for (const TextureTask& task : TextureTasks()) painted.insert(task.name);
-  EXPECT_EQ(used, painted);
+  testing::ExpectEveryMaterialPainted(BuildColumnsModel(kSeed), TextureTasks());
 }
 
 TEST(ColumnsScene, MeshesAreSoundAndNotTooMany) {
   const SceneModel model = BuildColumnsModel(kSeed);
-  std::set<std::string> geoms;
-  for (const Part& part : model.parts()) {
-    EXPECT_TRUE(geoms.insert(part.geom).second) << part.geom << " twice";
-    const Mesh& mesh = part.mesh;
-    ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << part.geom;
-    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size()) << part.geom;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      ASSERT_TRUE(mesh.positions[i].allFinite() && mesh.uvs[i].allFinite()) << part.geom;
-      ASSERT_NEAR(mesh.normals[i].norm(), 1.0, 1e-6) << part.geom;
-    }
-  }
+  testing::ExpectSoundMeshes(model);
   EXPECT_LT(model.CountTriangles(), 60000U);
 }
 
@@ -145,16 +121,8 @@ TEST(ColumnsTextures, SandAndStoneMeetThemselves) {
 }
 
 TEST(ColumnsTextures, HaveContrastFromMillimetresToDecimetres) {
-  for (const TextureTask& task : TextureTasks()) {
-    cv::Mat1b grey;
-    cv::cvtColor(task.paint(kSeed, 0.5), grey, cv::COLOR_RGB2GRAY);
-    for (int octave = 0; octave < 5 && std::min(grey.rows, grey.cols) > 40; ++octave) {
-      cv::Mat1f x;
-      cv::Sobel(grey, x, CV_32F, 1, 0, 3, 0.125);
-      EXPECT_GT(cv::mean(cv::abs(x))[0], 1.0) << task.name << ", octave " << octave;
-      cv::resize(grey, grey, {grey.cols / 2, grey.rows / 2}, 0, 0, cv::INTER_AREA);
-    }
-  }
+  for (const TextureTask& task : TextureTasks())
+    testing::ExpectContrastAtEveryScale(task.paint(kSeed, 0.5), task.name);
 }
 
 }  // namespace

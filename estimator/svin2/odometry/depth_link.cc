@@ -1,6 +1,7 @@
 #include "estimator/svin2/odometry/depth_link.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,15 +27,34 @@ std::vector<EstimatorEvent> DepthLink::Feed(SlidingWindow& window, const ImuBuff
                         : Eigen::Vector3d(samples.front().sample.angular_rate - state.gyro_bias);
     const Eigen::Vector3d port = ExpSO3(-age * rate_I) * sheet_.p_ID;
     const double height = (state.T_WI * port).z() - age * state.v_W.z();
-    const double expected = window.SurfaceHeight().value_or(height + depth) - height;
+    const double surface = height + depth;
+    const double expected = window.SurfaceHeight().value_or(surface) - height;
+    if (!window.SurfaceHeight()) believed_ = against_ = 0;
     if (gate_.Believes(t, depth - expected)) {
-      window.AddDepth(t, {depth, sheet_.p_ID, {}, DepthSigma(sheet_)}, rate_I);
+      against_ = 0;
+    } else if (Outvotes(surface)) {
+      said.push_back(
+          {t, fmt::format("{} depths in a row differ by {:.2f} m from what was expected, "
+                          "and agree: the surface is found anew",
+                          against_, depth - expected)});
+      window.ForgetSurface();
+      gate_.Believes(t, 0.0);
+      believed_ = std::exchange(against_, 0) - 1;
     } else {
       said.push_back({t, fmt::format("a depth of {:.2f} m was not believed: {:.2f} m were expected",
                                      depth, expected)});
+      continue;
     }
+    ++believed_;
+    window.AddDepth(t, {depth, sheet_.p_ID, {}, DepthSigma(sheet_)}, rate_I);
   }
   return said;
+}
+
+bool DepthLink::Outvotes(double surface) {
+  if (against_ > 0 && std::abs(surface - surface_against_) > agreement_m_) against_ = 0;
+  surface_against_ = surface;
+  return ++against_ > believed_;
 }
 
 double DepthSigma(const DepthSheet& sheet) {

@@ -58,6 +58,9 @@ class SlidingWindow {
                 const Eigen::Vector3d& rate_I = Eigen::Vector3d::Zero());
   /// Height at which the pressure sensor would read 0 [m, in W]; nothing before the first reading.
   std::optional<double> SurfaceHeight() const;
+  /// The next reading finds the surface anew. What the readings so far tied to it is left with a
+  /// height of its own, which is nobody's any more and so says nothing of the body's.
+  void ForgetSurface() { surface_.reset(); }
 
   /// Expects the latest frame to move with `v_I` [m/s, in I], each component to `sigma` [m/s].
   void AddVelocity(const Eigen::Vector3d& v_I, double sigma);

@@ -1,4 +1,6 @@
 // `drydock estimate` on a recording whose odometry is known by hand.
+#include <regex>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -64,6 +66,22 @@ TEST_F(CliEstimate, ScoresAgainstTheGroundTruth) {
   EXPECT_THAT(ReadFile(Result("loops.csv")), ::testing::StartsWith("#timestamp_now [ns]"));
   EXPECT_EQ(dataset::ReadTum(Result("truth.tum")).size(), 21U);
   EXPECT_TRUE(fs::is_regular_file(Result("trajectory.png")));
+}
+
+// Every true pose 20 ms late: of 20 estimates the truth tells the two poses around them.
+TEST_F(CliEstimate, ScoresByTheTruthAtItsOwnStamps) {
+  const fs::path table =
+      folder_.path() / "glide" / "mav0" / "state_groundtruth_estimate0" / "data.csv";
+  std::string text = ReadFile(table);
+  text = std::regex_replace(text, std::regex("\n(1\\d{3})00000000,"), "\n$0120000000,");
+  text = std::regex_replace(text, std::regex("\n(1\\d{3})50000000,"), "\n$0170000000,");
+  WriteFileAtomically(table, text);
+  const Outcome outcome = Estimate({});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Trajectory truth = dataset::ReadTum(Result("truth.tum"));
+  ASSERT_EQ(truth.size(), 21U + 20U);
+  EXPECT_EQ(truth[1].t.ns, 100'050'000'000);
+  EXPECT_TRUE(truth[1].T_WI.p().isApprox(0.4 * truth[0].T_WI.p() + 0.6 * truth[2].T_WI.p(), 1e-12));
 }
 
 TEST_F(CliEstimate, RepeatsEveryByteButItsTimings) {

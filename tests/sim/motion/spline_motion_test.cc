@@ -2,9 +2,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "sensors_models/base/check.h"
 #include "tests/support/numeric.h"
 
 namespace drydock::sim {
@@ -118,6 +122,40 @@ TEST(SplineMotion, KnowsItsNearestWaypoint) {
     EXPECT_EQ(motion.NearestWaypoint(At(t)), static_cast<std::size_t>(std::lround(x / 2.0))) << x;
   }
   EXPECT_EQ(motion.NearestWaypoint(motion.End()), 3U);
+}
+
+/// Along x, with steps of these lengths.
+MotionConfig Line(const std::vector<double>& steps) {
+  MotionConfig config;
+  config.waypoints.resize(1 + steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    config.waypoints[i + 1].position = config.waypoints[i].position;
+    config.waypoints[i + 1].position.x() += steps[i];
+    config.waypoints[i + 1].place = fmt::format("f.yaml:{}: motion.waypoints.{}", 10 + i, i + 1);
+  }
+  return config;
+}
+
+// With neighbours that are fifty times as long, the curve grows by more in each round: to 1e26
+// times its polygon before the times run out of digits.
+TEST(SplineMotion, RefusesACurveThatSwingsOut) {
+  EXPECT_NO_THROW(SplineMotion(Line({1.0, 10.0, 1.0, 10.0}), 1));
+  try {
+    const SplineMotion motion(Line({1.0, 50.0, 1.0, 50.0}), 1);
+    FAIL() << "a path of " << motion.End().Seconds() << " s";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find("f.yaml:13: motion.waypoints.4: "), 0U) << message;
+    EXPECT_NE(message.find("at most 2 times the 102 m"), std::string::npos) << message;
+  }
+}
+
+// The way round is far longer than the polygon, but the curve settles.
+TEST(SplineMotion, SwimsATightUTurn) {
+  MotionConfig config = Line({100.0, 1.0, 1.0});
+  config.waypoints[2].position = {100.0, 1.0, 0.0};
+  config.waypoints[3].position = {0.0, 1.0, 0.0};
+  EXPECT_NO_THROW(SplineMotion(config, 1));
 }
 
 TEST(SplineMotion, YawIsUnwrapped) {

@@ -10,37 +10,37 @@
 namespace drydock::svin2 {
 namespace {
 
-StereoGeometry Rig() {
+/// Two eyes of one kind, mounted as SVIn2's are.
+StereoGeometry RigOf(const CameraIntrinsics& camera) {
   StereoSheet sheet;
   for (int i = 0; i < 2; ++i) {
-    sheet.cameras[i] = {.width = 800,
-                        .height = 600,
-                        .fx = 575.0,
-                        .fy = 574.0,
-                        .cx = 399.0,
-                        .cy = 289.0,
-                        .distortion = {-0.16, 0.10, 0.0, 0.0}};
+    sheet.cameras[i] = camera;
     sheet.T_IC[i] =
         Pose(Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5), {0.04, i == 0 ? 0.084 : -0.059, 0.0});
   }
   return StereoGeometry(sheet);
 }
 
-/// The same with fisheyes, whose corners look 66 degrees aside.
+StereoGeometry Rig() {
+  return RigOf({.width = 800,
+                .height = 600,
+                .fx = 575.0,
+                .fy = 574.0,
+                .cx = 399.0,
+                .cy = 289.0,
+                .distortion = {-0.16, 0.10, 0.0, 0.0}});
+}
+
+/// Fisheyes, whose corners look 66 degrees aside.
 StereoGeometry WideRig() {
-  StereoSheet sheet;
-  for (int i = 0; i < 2; ++i) {
-    sheet.cameras[i] = {.width = 800,
-                        .height = 600,
-                        .fx = 430.0,
-                        .fy = 431.0,
-                        .cx = 399.0,
-                        .cy = 289.0,
-                        .distortion = {-0.013, 0.021, -0.012, 0.0024},
-                        .lens = LensModel::kEquidistant};
-    sheet.T_IC[i] = Rig().T_IC(i);
-  }
-  return StereoGeometry(sheet);
+  return RigOf({.width = 800,
+                .height = 600,
+                .fx = 430.0,
+                .fy = 431.0,
+                .cx = 399.0,
+                .cy = 289.0,
+                .distortion = {-0.013, 0.021, -0.012, 0.0024},
+                .lens = LensModel::kEquidistant});
 }
 
 struct Scene {

@@ -1,7 +1,9 @@
 #include "estimator/svin2/odometry/depth_link.h"
 
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -82,6 +84,67 @@ TEST_F(DepthLinkTest, SaysWhichReadingItDoesNotBelieve) {
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(said.front().t, kNow);
   EXPECT_NE(said.front().message.find("was not believed"), std::string::npos);
+}
+
+// A reading each 20 ms up to the frame at `now`, each with an error of its own.
+class DepthSpikes : public DepthLinkTest {
+ protected:
+  void Read(const std::vector<double>& errors, Time now = kNow) {
+    constexpr std::int64_t kPeriod = 20'000'000;
+    Time t{now.ns - kPeriod * (static_cast<std::int64_t>(errors.size()) - 1)};
+    for (const double error : errors) {
+      ASSERT_TRUE(link_.Add(t, {TrueDepth(t) + error}));
+      t = t + Duration{kPeriod};
+    }
+    said_ = Feed(link_);
+  }
+  double SurfaceError() const { return window_->SurfaceHeight().value() - kSurface; }
+
+  DepthLink link_{Sheet(0.0), {}};
+  std::vector<EstimatorEvent> said_;
+};
+
+TEST_F(DepthSpikes, TheFirstReadingIsOutvotedByTheNextTwo) {
+  Read({5.0, 0.0, 0.0, 0.0});
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
+  ASSERT_EQ(said_.size(), 2U);
+  EXPECT_NE(said_[0].message.find("was not believed"), std::string::npos) << said_[0].message;
+  EXPECT_EQ(said_[1].t, kNow - Duration{20'000'000});
+  EXPECT_NE(said_[1].message.find("2 depths in a row"), std::string::npos) << said_[1].message;
+}
+
+TEST_F(DepthSpikes, TwoAtTheStartAreOutvotedToo) {
+  Read({5.0, 5.0, 0.0, 0.0, 0.0, 0.0});
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
+  EXPECT_EQ(said_.size(), 3U);
+}
+
+TEST_F(DepthSpikes, ThoseThatDoNotAgreeOutvoteNobody) {
+  Read({0.0, 5.0, -3.0, 5.0, 0.0});
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
+  EXPECT_EQ(said_.size(), 3U);
+}
+
+TEST_F(DepthSpikes, FewDoNotOutvoteMany) {
+  Read({0.0, 0.0, 0.0, 5.0, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0});
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
+  EXPECT_EQ(said_.size(), 5U);
+}
+
+// Those who outvoted were right, and two of their kind are no majority against them.
+TEST_F(DepthSpikes, AreRefusedAfterAVoteToo) {
+  Read({5.0, 0.0, 0.0, 5.0, 5.0, 0.0});
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
+  EXPECT_EQ(said_.size(), 4U);
+}
+
+// Another map has another z: what was believed in the last one counts no more.
+TEST_F(DepthSpikes, AreCountedAnewInAnotherWindow) {
+  Read({0.0, 0.0, 0.0});
+  const Time later = kNow + Duration{1'000'000'000};
+  window_ = WindowAt(later);
+  Read({5.0, 0.0, 0.0}, later);
+  EXPECT_NEAR(SurfaceError(), 0.0, 0.01);
 }
 
 TEST(DepthSigma, IsThatOfOneReading) {

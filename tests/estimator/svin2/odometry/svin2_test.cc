@@ -1,5 +1,6 @@
 #include "estimator/svin2/odometry/svin2.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -107,6 +108,20 @@ TEST(Svin2, UsesDepthWhereFramesAreRareToo) {
   dive.depth_error_m = 3.0;
   dive.RunTo(4.5);
   EXPECT_NE(dive.said.find("was not believed"), std::string::npos) << dive.said;
+}
+
+// The surface that the first reading found 5 m too high is given up, and pulls at nothing.
+TEST(Svin2, SurvivesASpikeInTheFirstDepth) {
+  SyntheticDive dive;
+  dive.depth_error_m = 5.0;
+  dive.estimator->Start(testing::MotionAt(Time{}));
+  dive.RunTo(0.5);
+  dive.depth_error_m = 0.0;
+  dive.RunTo(6.0);
+  EXPECT_NE(dive.said.find("the surface is found anew"), std::string::npos) << dive.said;
+  EXPECT_EQ(std::ranges::count(dive.said, '\n'), 2) << dive.said;
+  for (const StampedPose& pose : dive.estimator->Odometry())
+    ASSERT_LT(pose.T_WI.BoxMinus(testing::MotionAt(pose.t).T_WI).norm(), 1e-3);
 }
 
 TEST(Svin2, InitialisesItselfInMotion) {
