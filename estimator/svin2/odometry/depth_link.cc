@@ -31,6 +31,7 @@ std::vector<EstimatorEvent> DepthLink::Feed(SlidingWindow& window, const ImuBuff
     const double expected = window.SurfaceHeight().value_or(surface) - height;
     if (!window.SurfaceHeight()) believed_ = against_ = 0;
     if (gate_.Believes(t, depth - expected)) {
+      ++believed_;
       against_ = 0;
     } else if (Outvotes(surface)) {
       said.push_back(
@@ -39,13 +40,12 @@ std::vector<EstimatorEvent> DepthLink::Feed(SlidingWindow& window, const ImuBuff
                           against_, depth - expected)});
       window.ForgetSurface();
       gate_.Believes(t, 0.0);
-      believed_ = std::exchange(against_, 0) - 1;
+      believed_ = std::exchange(against_, 0);
     } else {
       said.push_back({t, fmt::format("a depth of {:.2f} m was not believed: {:.2f} m were expected",
                                      depth, expected)});
       continue;
     }
-    ++believed_;
     window.AddDepth(t, {depth, sheet_.p_ID, {}, DepthSigma(sheet_)}, rate_I);
   }
   return said;
