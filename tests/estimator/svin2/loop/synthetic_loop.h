@@ -16,6 +16,7 @@
 #include "estimator/svin2/loop/loop_matcher.h"
 #include "sensors_models/base/random_stream.h"
 #include "tests/estimator/svin2/synthetic_stereo.h"
+#include "tests/estimator/svin2/vocabulary/synthetic_descriptors.h"
 
 namespace drydock::svin2::testing {
 
@@ -39,12 +40,6 @@ struct SyntheticLoop {
   std::vector<Eigen::Vector3d> landmarks;  ///< Of the points [m, in then's body frame].
   std::vector<LoopMatch> matches;          ///< All of them, and right.
 };
-
-inline Descriptor RandomDescriptor(RandomStream& random) {
-  Descriptor descriptor;
-  for (std::uint64_t& word : descriptor) word = random.Bits();
-  return descriptor;
-}
 
 inline Descriptor Changed(const Descriptor& descriptor, int bits, RandomStream& random) {
   Descriptor changed = descriptor;
