@@ -20,7 +20,9 @@ using testing::RecordedDive;
 class Svin2Loops : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    dive_ = std::make_unique<RecordedDive>(testing::Record("bus_return.yaml", {"seed=5"}));
+    // It is back in sight of its first place after 16.5 s.
+    dive_ = std::make_unique<RecordedDive>(
+        testing::Record("bus_return.yaml", {"seed=5", "duration_s=19.5"}));
   }
   static void TearDownTestSuite() { dive_.reset(); }
 
@@ -58,7 +60,7 @@ TEST_F(Svin2Loops, AreTrueAndLeaveOdometryAsItIs) {
   const score::LoopScore score = ScoreOf(*svin2);
   std::printf("%zu loops, %zu true; %zu of %zu revisits found\n", score.judged, score.true_loops,
               score.found, score.revisits);
-  EXPECT_GE(score.true_loops, 5U);
+  EXPECT_GE(score.true_loops, 3U);
   EXPECT_EQ(score.true_loops, score.judged);
 
   ASSERT_EQ(svin2->Odometry().size(), without->Odometry().size());
