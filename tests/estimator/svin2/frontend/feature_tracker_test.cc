@@ -271,33 +271,59 @@ TEST(FeatureTracker, DropsWhatMovesOnItsOwn) {
   }
 }
 
-// For loop closing. What is described is what is tracked anyhow.
-TEST(FeatureTracker, DescribesFramesBetweenKeyframesIfToldTo) {
+// What is described for loop closing between keyframes leaves the tracks as they are.
+TEST(FeatureTracker, DescribesFramesBetweenKeyframesAtIntervals) {
   FeatureTracker::Config config = Small();
-  Dive plain(config);
-  config.describe_every = Duration{300'000'000};
-  Dive described(config);
-  int glimpses = 0;
-  std::optional<Time> last;
-  for (int k = 0; k < 40; ++k) {
-    const TrackedFrame expected = plain.Swim(k), frame = described.Swim(k);
-    ASSERT_EQ(frame.is_keyframe, expected.is_keyframe);
-    ASSERT_EQ(frame.points.size(), expected.points.size());
-    EXPECT_EQ(expected.is_described, expected.is_keyframe);
+  config.keyframes.max_gap = 5;
+  Dive keyframes_alone(config);
+  config.describe_every = Duration{200'000'000};  // Each third frame.
+  Dive dive(config);
+  int between = 0, last_described = 0;
+  for (int k = 0; k < 9; ++k) {
+    const StereoFrame images = dive.wall().See(PoseAt(k));
+    const TrackedFrame frame = dive.See(k, images), plain = keyframes_alone.See(k, images);
+    EXPECT_EQ(plain.is_described, plain.is_keyframe) << k;
+    EXPECT_EQ(frame.is_described, frame.is_keyframe || k - last_described >= 3) << k;
+    if (frame.is_described) last_described = k;
+    between += frame.is_described && !frame.is_keyframe ? 1 : 0;
+
+    EXPECT_EQ(frame.is_keyframe, plain.is_keyframe) << k;
+    ASSERT_EQ(frame.points.size(), plain.points.size()) << k;
+    std::size_t with_descriptor = 0;
     for (std::size_t i = 0; i < frame.points.size(); ++i) {
-      EXPECT_EQ(frame.points[i].left, expected.points[i].left);
-      EXPECT_TRUE(frame.is_described || !frame.points[i].descriptor);
+      ASSERT_EQ(frame.points[i].id, plain.points[i].id) << k;
+      ASSERT_EQ(frame.points[i].left, plain.points[i].left) << k;
+      ASSERT_EQ(frame.points[i].right, plain.points[i].right) << k;
+      ASSERT_EQ(frame.points[i].sigma_px, plain.points[i].sigma_px) << k;
+      with_descriptor += frame.points[i].descriptor.has_value() ? 1 : 0;
     }
-    if (last && !frame.is_described) {
-      EXPECT_LT((frame.t - *last).Seconds(), 0.3);
+    if (frame.is_described) {
+      EXPECT_GE(with_descriptor, 30U) << k;
+    } else {
+      EXPECT_EQ(with_descriptor, 0U) << k;
     }
-    if (!frame.is_described) continue;
-    last = frame.t;
-    EXPECT_TRUE(std::ranges::any_of(
-        frame.points, [](const TrackedPoint& point) { return point.descriptor.has_value(); }));
-    if (!frame.is_keyframe) ++glimpses;
   }
-  EXPECT_GE(glimpses, 3);
+  EXPECT_EQ(between, 2);
+}
+
+// As they look in this very frame, not in the last keyframe.
+TEST(FeatureTracker, AFrameBetweenKeyframesIsDescribedAsItIs) {
+  FeatureTracker::Config config = Small();
+  config.describe_every = Duration{200'000'000};
+  Dive dive(config);
+  for (int k = 0; k < 3; ++k) dive.Swim(k);
+  const TrackedFrame frame = dive.Swim(3);
+  ASSERT_TRUE(frame.is_described);
+  ASSERT_FALSE(frame.is_keyframe);
+  Preprocessor preprocessor({});
+  std::vector<Eigen::Vector2d> pixels;
+  for (const TrackedPoint& point : frame.points) pixels.push_back(point.left);
+  const Pose T_WC = PoseAt(3) * dive.wall().geometry().T_IC(0);
+  const auto expected = DescriptorExtractor({}).Describe(
+      preprocessor.Process(dive.wall().See(PoseAt(3)).images[0]), pixels,
+      dive.wall().geometry().camera(0), T_WC.q().conjugate() * -Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    EXPECT_EQ(frame.points[i].descriptor, expected[i]) << i;
 }
 
 }  // namespace

@@ -53,6 +53,32 @@ TEST_F(DescribeKeyframeTest, HasWhatIsDescribed) {
   EXPECT_GT(landmarks, 50);
 }
 
+TEST_F(DescribeKeyframeTest, HasTheLinkOfTheWindowAndLandmarksAsTheyAreSeenFromThere) {
+  const Time t{200'000'000};
+  const auto samples = testing::MotionSamples(Time{}, t, Duration{1'000'000});
+  TrackedFrame later = tracks_.See(t, testing::MotionAt(t).T_WI);
+  for (TrackedPoint& point : later.points) point.descriptor = Descriptor{point.id};
+  TrackedPoint unknown = later.points.back();
+  unknown.id = 1000;
+  window_.AddFrame(later, *ImuPreintegration::Over(samples, Time{}, t, {}, ImuNoiseModel{}));
+  window_.Optimise();
+  later.points.push_back(unknown);
+  const Keyframe keyframe = DescribeKeyframe(window_, later, {});
+  ASSERT_TRUE(keyframe.link);
+  EXPECT_EQ(keyframe.link->T_before_now.p(), window_.LinkToKeyframe()->T_before_now.p());
+  EXPECT_EQ(keyframe.link->covariance, window_.LinkToKeyframe()->covariance);
+  const Pose T_IW = testing::MotionAt(t).T_WI.Inverse();
+  int landmarks = 0;
+  for (const KeyframePoint& point : keyframe.points) {
+    EXPECT_EQ(point.descriptor[0], point.id == 1000 ? later.points.end()[-2].id : point.id);
+    if (!point.p_I) continue;
+    EXPECT_LT((*point.p_I - T_IW * tracks_.landmarks()[point.id - 1]).norm(), 1e-3) << point.id;
+    ++landmarks;
+  }
+  EXPECT_GT(landmarks, 50);
+  EXPECT_FALSE(keyframe.points.back().p_I) << "the window does not know it";
+}
+
 TEST_F(DescribeKeyframeTest, HasPingsOfWhichItSeesTheWholePatch) {
   SonarRangeObservation observation;
   observation.range = 2.5;

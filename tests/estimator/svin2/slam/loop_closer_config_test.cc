@@ -10,6 +10,7 @@
 namespace drydock::svin2 {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 LoopCloserConfig Read(const std::string& text) {
@@ -61,6 +62,11 @@ TEST(LoopCloserConfig, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(ErrorOf("max_verified: many\n"), HasSubstr("options.yaml:1"));
   EXPECT_THAT(ErrorOf("max_verified: 1\nmax_believed: 2\n"), HasSubstr("options.yaml:2"));
   EXPECT_THAT(ErrorOf("nearby: {max_distance_m: -1}\n"), HasSubstr("max_distance_m"));
+  EXPECT_THAT(ErrorOf("min_age_s: 5\nnearby:\n  max_angle_deg: 30\n"),
+              AllOf(HasSubstr("options.yaml:3"), HasSubstr("max_angle_deg")));
+  EXPECT_THAT(ErrorOf("min_age_s: .nan\n"), HasSubstr("min_age_s"));
+  EXPECT_THAT(ErrorOf("max_verified: 2.5\n"), HasSubstr("max_verified"));
+  EXPECT_THAT(ErrorOf("check_loops: maybe\n"), HasSubstr("check_loops"));
   EXPECT_THAT(ErrorOf("min_inliers: 3\n"), HasSubstr("min_inliers"));
   EXPECT_THAT(ErrorOf("max_tracked: -1\n"), HasSubstr("max_tracked"));
 }

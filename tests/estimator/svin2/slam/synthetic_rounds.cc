@@ -25,8 +25,7 @@ struct Landmark {
   Descriptor descriptor = {};
 };
 
-Eigen::Vector3d OnTheRing(RandomStream& random) {
-  const double angle = random.Uniform(0.0, 2.0 * std::numbers::pi);
+Eigen::Vector3d OnTheRing(double angle, RandomStream& random) {
   const double radius = random.Uniform(6.0, 7.5);
   const double height = random.Uniform(-1.2, 1.2);
   return {radius * std::cos(angle), radius * std::sin(angle), height};
@@ -34,8 +33,17 @@ Eigen::Vector3d OnTheRing(RandomStream& random) {
 
 std::vector<Landmark> MakeRing(RandomStream& random) {
   std::vector<Landmark> ring(kLandmarks);
-  for (Landmark& landmark : ring) landmark = {OnTheRing(random), RandomDescriptor(random)};
+  for (Landmark& landmark : ring) {
+    const double angle = random.Uniform(0.0, 2.0 * std::numbers::pi);
+    landmark = {OnTheRing(angle, random), RandomDescriptor(random)};
+  }
   return ring;
+}
+
+/// Somewhat elsewhere in the same view, so that looks stay as they are.
+Eigen::Vector3d Shuffled(const Eigen::Vector3d& p_W, RandomStream& random) {
+  const double angle = std::atan2(p_W.y(), p_W.x());
+  return OnTheRing(angle + random.Uniform(-0.15, 0.15), random);
 }
 
 /// No round is quite like the other.
@@ -58,7 +66,7 @@ class Diver {
   explicit Diver(const RoundsConfig& config)
       : config_(config), random_(config.seed, "rounds"), ring_(MakeRing(random_)) {
     elsewhere_ = ring_;
-    for (Landmark& landmark : elsewhere_) landmark.p_W = OnTheRing(random_);
+    for (Landmark& landmark : elsewhere_) landmark.p_W = Shuffled(landmark.p_W, random_);
   }
 
   Rounds Swim() {

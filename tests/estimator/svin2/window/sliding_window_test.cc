@@ -246,6 +246,44 @@ TEST(SlidingWindow, SameInputsSameBytes) {
   EXPECT_EQ(a.v_W, b.v_W);
 }
 
+TEST(SlidingWindow, LinksLeadFromTheNewestKeyframeAsItHasMoved) {
+  WindowRun run;
+  int keyframe = 0, newest = 0;  // Before the frame at hand, and with it.
+  run.change = [&](int k, TrackedFrame& seen) {
+    keyframe = newest;
+    seen.is_keyframe = k % 12 == 0;
+    if (seen.is_keyframe) newest = k;
+  };
+  run.Start(testing::MotionAt(Time{}));
+  for (int k = 1; k <= 45; ++k) {
+    run.Step(k);
+    const auto link = run.window.LinkToKeyframe();
+    ASSERT_TRUE(link.has_value()) << k;
+    const Pose T_before_now = testing::MotionAt(FrameTime(keyframe)).T_WI.Inverse() *
+                              testing::MotionAt(FrameTime(k)).T_WI;
+    EXPECT_LT(link->T_before_now.BoxMinus(T_before_now).norm(), 1e-5) << k;
+  }
+  EXPECT_EQ(keyframe, 36);
+}
+
+TEST(SlidingWindow, LinksHaveTheErrorThatTheirCovarianceSays) {
+  double sum = 0.0;
+  constexpr int kRuns = 6;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    WindowRun run(300, 0.5);
+    run.tracks = testing::SyntheticTracks(300, 0.5, seed);
+    run.change = [&](int k, TrackedFrame& seen) { seen.is_keyframe = k % 12 == 0; };
+    run.RunTo(45);
+    const OdometryLink link = run.window.LinkToKeyframe().value();
+    const Vector6d error = link.T_before_now.BoxMinus(
+        testing::MotionAt(FrameTime(36)).T_WI.Inverse() * testing::MotionAt(FrameTime(45)).T_WI);
+    sum += error.dot(link.covariance.ldlt().solve(error));
+  }
+  // 36 degrees of freedom; the IMU is exact, so that errors are smaller than its noise allows.
+  EXPECT_LT(sum / (6 * kRuns), 1.5);
+  EXPECT_GT(sum / (6 * kRuns), 0.05);
+}
+
 TEST(SlidingWindow, LinksTheLatestFrameToTheKeyframeBefore) {
   WindowRun run(300, 0.3);
   run.Start(testing::MotionAt(Time{}));
