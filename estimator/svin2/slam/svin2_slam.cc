@@ -44,8 +44,8 @@ class MapCorrection {
 
 }  // namespace
 
-Svin2Slam::Svin2Slam(const Rig& rig, Svin2Config odometry, const LoopCloserConfig& loops)
-    : odometry_(MakeSvin2(rig, WithKeyframes(std::move(odometry)))),
+Svin2Slam::Svin2Slam(const Rig& rig, const Svin2Config& odometry, const LoopCloserConfig& loops)
+    : odometry_(MakeSvin2(rig, WithKeyframes(odometry))),
       loops_(loops, rig.stereo,
              std::make_shared<const Vocabulary>(Vocabulary::Load(Vocabulary::DefaultPath())),
              &worker_) {}

@@ -18,7 +18,7 @@ namespace drydock::svin2 {
 class Svin2Slam final : public Estimator {
  public:
   /// InputError if the vocabulary that comes with Drydock cannot be read.
-  Svin2Slam(const Rig& rig, Svin2Config odometry, const LoopCloserConfig& loops);
+  Svin2Slam(const Rig& rig, const Svin2Config& odometry, const LoopCloserConfig& loops);
 
   void Start(const std::optional<NavState>& known) override { odometry_->Start(known); }
   void Add(const Measurement& measurement) override;

@@ -21,8 +21,8 @@ constexpr int kLandmarks = 900;
 constexpr int kChangedBits = 30;  // Of a descriptor from one view to another.
 
 struct Landmark {
-  Eigen::Vector3d p_W;
-  Descriptor descriptor;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+  Descriptor descriptor = {};
 };
 
 Eigen::Vector3d OnTheRing(double angle, RandomStream& random) {
