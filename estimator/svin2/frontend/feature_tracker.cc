@@ -323,7 +323,7 @@ TrackedFrame FeatureTracker::Report(Time t) const {
 }
 
 bool FeatureTracker::IsToBeDescribed(Time t) const {
-  return config_.describe_every && last_described_ &&
+  return config_.describe_every && last_described_ && !tracks_.empty() &&
          t - *last_described_ >= *config_.describe_every;
 }
 

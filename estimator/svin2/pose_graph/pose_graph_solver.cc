@@ -16,6 +16,8 @@
 namespace drydock::svin2 {
 namespace {
 
+constexpr double kUnknownHeight = 1e6;  // Standard deviation [m].
+
 ceres::Problem::Options ProblemOptions() {
   ceres::Problem::Options options;
   options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -147,9 +149,13 @@ void PoseGraphSolver::Minimise() {
     problem.AddParameterBlock(states[k].data(), 7, &manifold);
     if (oldest == k) problem.SetParameterBlockConstant(states[k].data());
     const PoseGraphNode& node = graph_.nodes()[k];
-    if (node.level && !options_.identity_weights)
-      problem.AddResidualBlock(new LevelFactor(node.T_WI, node.level->z, node.level->tilt), nullptr,
-                               states[k].data());
+    if (!node.level || options_.identity_weights) continue;
+    // Another map was laid at a height of its own.
+    const bool is_height_known = node.map_id == graph_.nodes()[oldest].map_id;
+    problem.AddResidualBlock(
+        new LevelFactor(node.T_WI, is_height_known ? node.level->z : kUnknownHeight,
+                        node.level->tilt),
+        nullptr, states[k].data());
   }
   if (problem.NumParameterBlocks() == 0) return;
   const auto add = [&](const PoseGraphEdge& edge, ceres::LossFunction* loss) {

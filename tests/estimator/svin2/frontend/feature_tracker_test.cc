@@ -215,6 +215,7 @@ TEST(FeatureTracker, DescribesPointsAtKeyframes) {
     ++keyframes;
     Preprocessor preprocessor({});
     std::vector<Eigen::Vector2d> pixels;
+    pixels.reserve(frame.points.size());
     for (const TrackedPoint& point : frame.points) pixels.push_back(point.left);
     const Pose T_WC = PoseAt(k) * dive.wall().geometry().T_IC(0);
     const Eigen::Vector3d down = k == 0 ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
@@ -317,6 +318,7 @@ TEST(FeatureTracker, AFrameBetweenKeyframesIsDescribedAsItIs) {
   ASSERT_FALSE(frame.is_keyframe);
   Preprocessor preprocessor({});
   std::vector<Eigen::Vector2d> pixels;
+  pixels.reserve(frame.points.size());
   for (const TrackedPoint& point : frame.points) pixels.push_back(point.left);
   const Pose T_WC = PoseAt(3) * dive.wall().geometry().T_IC(0);
   const auto expected = DescriptorExtractor({}).Describe(

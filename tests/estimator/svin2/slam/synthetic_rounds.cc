@@ -126,7 +126,7 @@ class Diver {
     const bool begins = !has_keyframe_ || keyframe.map_id != before_.map_id;
     if (begins) {
       keyframe.T_WI =
-          has_keyframe_ ? Pose(FromYawPitchRoll(1.0, 0.0, 0.0), {5, -3, 0}) * T_WI : T_WI;
+          has_keyframe_ ? Pose(FromYawPitchRoll(1.0, 0.0, 0.0), {5, -3, 0.2}) * T_WI : T_WI;
       keyframe.covariance = Diagonal(1e-3, 1e-3);
     } else {
       Vector6d noise;
