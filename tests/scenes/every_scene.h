@@ -15,6 +15,7 @@
 
 #include "scenes/mesh/mesh.h"
 #include "scenes/model/model.h"
+#include "scenes/texture/texture_task.h"
 #include "sensors_models/base/files.h"
 
 namespace drydock::testing {
@@ -30,13 +31,12 @@ inline std::map<std::string, std::string> FilesOf(const std::filesystem::path& f
 }
 
 /// Every material has a picture, and every picture is some part's.
-template <typename TextureTask>
-void ExpectEveryMaterialPainted(const scenes::SceneModel& model,
-                                const std::vector<TextureTask>& pictures) {
+inline void ExpectEveryMaterialPainted(const scenes::SceneModel& model,
+                                       const std::vector<scenes::TextureTask>& pictures) {
   std::set<std::string> used;
   for (const scenes::Part& part : model.parts()) used.insert(part.material);
   std::set<std::string> painted;
-  for (const TextureTask& task : pictures) painted.insert(task.name);
+  for (const scenes::TextureTask& task : pictures) painted.insert(task.name);
   EXPECT_EQ(used, painted);
 }
 
