@@ -158,6 +158,10 @@ void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
 
 void Svin2::NoteKeyframe(const TrackedFrame& seen) {
   if (!config_.report_keyframes || !(seen.is_keyframe || seen.is_described)) return;
+  // A new map begins some frames back, which the one before has reported: keyframes go on from
+  // here.
+  if (last_reported_ && seen.t <= *last_reported_) return;
+  last_reported_ = seen.t;
   const StageClock::Lap lap(clock_, "keyframes for loops");
   Keyframe& keyframe = keyframes_.emplace_back(DescribeKeyframe(*window_, seen, tied_pings_));
   keyframe.is_glimpse = !seen.is_keyframe;

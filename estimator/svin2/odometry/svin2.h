@@ -113,6 +113,7 @@ class Svin2 final : public Estimator {
   std::vector<TiedPing> tied_pings_;  // To the latest frame.
   std::vector<Keyframe> keyframes_;
   int last_keyframe_ = -1;
+  std::optional<Time> last_reported_;  // Of keyframes and glimpses.
   std::vector<TimedPoint> landmarks_, echoes_;
   std::optional<NavState> known_;
 

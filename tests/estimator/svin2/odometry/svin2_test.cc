@@ -163,6 +163,7 @@ TEST(Svin2, ReckonsThroughDarkness) {
 
 TEST(Svin2, StartsANewMapAfterItWasLost) {
   Svin2Config config;
+  config.report_keyframes = true;
   config.tracking.longest_blindness_s = 2.0;
   SyntheticDive dive(config);
   dive.is_dark = [](Time t) { return t > Time::FromSeconds(3) && t < Time::FromSeconds(7); };
@@ -177,6 +178,12 @@ TEST(Svin2, StartsANewMapAfterItWasLost) {
   EXPECT_EQ(dive.estimator->Odometry().size(), 168U);
   const StampedPose& last = dive.estimator->Odometry().back();
   EXPECT_LT((last.T_WI.p() - testing::MotionAt(last.t).T_WI.p()).norm(), 0.2);
+  // The new map begins some frames back, and yet keyframes are reported as time goes on.
+  const std::vector<Keyframe> keyframes = dive.estimator->TakeKeyframes();
+  for (std::size_t k = 1; k < keyframes.size(); ++k)
+    EXPECT_LT(keyframes[k - 1].t, keyframes[k].t) << k;
+  EXPECT_EQ(keyframes.front().map_id, 0);
+  EXPECT_EQ(keyframes.back().map_id, 1);
 }
 
 /// How far a body is thought to be from where it is after 40 s of darkness, begun with a tilt of
