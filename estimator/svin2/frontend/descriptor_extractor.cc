@@ -95,18 +95,18 @@ DescriptorExtractor::DescriptorExtractor(const Config& config) {
 
 std::vector<std::optional<Descriptor>> DescriptorExtractor::Describe(
     const cv::Mat& image, const std::vector<Eigen::Vector2d>& pixels, const CameraModel& camera,
-    const Eigen::Vector3d& gravity_C) const {
+    const Eigen::Vector3d& gravity_C, double scale) const {
   Check(image.type() == CV_8UC1 && !image.empty(), "descriptors need an image of type CV_8UC1");
   cv::Mat integral;
   cv::integral(image, integral, CV_32S);
   std::vector<std::optional<Descriptor>> descriptors(pixels.size());
   std::array<double, 64> brightness{};
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Eigen::Vector2d& pixel = pixels[i];
+    const Eigen::Vector2d pixel = pixels[i] / scale;
     const bool fits = pixel.x() >= reach_px_ && pixel.y() >= reach_px_ &&
                       pixel.x() <= image.cols - 1 - reach_px_ &&
                       pixel.y() <= image.rows - 1 - reach_px_;
-    const auto angle = fits ? GravityAngle(camera, pixel, gravity_C) : std::nullopt;
+    const auto angle = fits ? GravityAngle(camera, pixels[i], gravity_C) : std::nullopt;
     if (!angle.has_value()) continue;
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(*angle).toRotationMatrix();
     for (std::size_t s = 0; s < samples_.size(); ++s) {

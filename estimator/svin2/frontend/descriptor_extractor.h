@@ -34,12 +34,14 @@ class DescriptorExtractor {
   /// Throws InputError for values that cannot be used.
   explicit DescriptorExtractor(const Config& config);
 
-  /// One descriptor for each of `pixels` in `image` (CV_8UC1); nothing where the pattern leaves the
-  /// image or gravity has no direction.
+  /// One descriptor for each of `pixels` (the camera's) in `image` (CV_8UC1); nothing where the
+  /// pattern leaves the image or gravity has no direction. `image` may be a level of a pyramid, of
+  /// which a pixel is `scale` pixels of the camera's wide; the pattern is then that much larger.
   std::vector<std::optional<Descriptor>> Describe(const cv::Mat& image,
                                                   const std::vector<Eigen::Vector2d>& pixels,
                                                   const CameraModel& camera,
-                                                  const Eigen::Vector3d& gravity_C) const;
+                                                  const Eigen::Vector3d& gravity_C,
+                                                  double scale = 1.0) const;
 
  private:
   struct Sample {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "estimator/svin2/frontend/descriptor.h"
 #include "estimator/svin2/frontend/patch_template.h"
@@ -18,6 +20,7 @@ struct FeatureTrack {
   Eigen::Matrix2d warp = Eigen::Matrix2d::Identity();  ///< Of the anchor to the latest frame.
 
   LandmarkId id = 0;
+  int octave = 0;  ///< Level of the pyramid that its anchor is of; pixels are the image's.
   /// Of the anchor with the latest frame; of new points, a usual one.
   double correlation = 0.9;
   std::optional<double> inverse_depth;  ///< By stereo [1/m], carried along by motion.
@@ -28,5 +31,11 @@ struct FeatureTrack {
   int age = 0;                           ///< Frames since it was first seen.
   int renewals = 0;                      ///< How often the anchor was replaced.
 };
+
+/// How many of `tracks` the right image shows too.
+inline int SeenByBoth(const std::vector<FeatureTrack>& tracks) {
+  return static_cast<int>(std::ranges::count_if(
+      tracks, [](const FeatureTrack& track) { return track.right.has_value(); }));
+}
 
 }  // namespace drydock::svin2

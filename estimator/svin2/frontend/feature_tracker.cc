@@ -41,18 +41,24 @@ FeatureTracker::FeatureTracker(const Config& config, const StereoSheet& sheet)
       geometry_(sheet),
       preprocessor_(PreprocessorOr(config.preprocess, config.preprocessor)),
       detector_(config.detector),
+      coarse_detector_(config.coarse_detector),
       extractor_(config.descriptor),
       matcher_(config.descriptor_matcher),
       flow_(FlowOnly(config.patches)),
       anchors_(config.anchors),
       stereo_(config.stereo, geometry_, PatchTracker(config.patches)),
+      unfollowed_(config.unfollowed, geometry_, config.stereo, config.patches),
       gate_(config.gate),
       keyframes_(config.keyframes),
       memory_(config.memory_keyframes) {
-  RequireInput(config.sigma_px > 0.0 && config.sigma_per_unlikeness_px >= 0.0,
-               "sigma_px is {} and sigma_per_unlikeness_px {}; the first must be positive, the "
-               "other not negative",
-               config.sigma_px, config.sigma_per_unlikeness_px);
+  const KeypointSigma& sigma = config.sigma;
+  RequireInput(sigma.recognised_px > 0.0 && sigma.coarse_px > 0.0 && sigma.per_unlikeness_px >= 0.0,
+               "of a keypoint's sigmas, recognised_px is {}, coarse_px {} and per_unlikeness_px "
+               "{}; the first two must be positive, the third not negative",
+               sigma.recognised_px, sigma.coarse_px, sigma.per_unlikeness_px);
+  RequireInput(config.octaves >= 1 && config.enough_points >= 0,
+               "octaves is {} and enough_points {}; at least 1 and not negative", config.octaves,
+               config.enough_points);
 }
 
 void FeatureTracker::Restart() {
@@ -75,7 +81,10 @@ bool FeatureTracker::IsUsable(const StereoFrame& images) const {
 
 FeatureTracker::Pyramids FeatureTracker::MakePyramids(const StereoFrame& images) {
   const auto make = [this](const cv::Mat& image) {
-    return flow_.MakePyramid(preprocessor_.Process(image));
+    ImagePyramid pyramid = flow_.MakePyramid(preprocessor_.Process(image));
+    const ImagePyramid coarse = flow_.MakePyramid(preprocessor_.Process(image, 1));
+    for (std::size_t level = 1; level < pyramid.size(); ++level) pyramid[level] = coarse[level - 1];
+    return pyramid;
   };
   return {make(images.images[0]), make(images.images[1])};
 }
@@ -110,11 +119,11 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
   if (config_.matching == Matching::kPatches) return frame;
   if (frame.is_keyframe) {
     memory_.Keep(tracks_);
-    ReportDescriptors(tracks_, frame);
+    ReportDescriptors(context, tracks_, frame);
   } else if (IsToBeDescribed(t)) {
     std::vector<FeatureTrack> described = tracks_;
     Describe(context, described);
-    ReportDescriptors(described, frame);
+    ReportDescriptors(context, described, frame);
   }
   return frame;
 }
@@ -131,16 +140,18 @@ std::vector<FeatureTrack> FeatureTracker::Follow(const Context& context,
 std::vector<FeatureTrack> FeatureTracker::FollowPatches(
     const Context& context, const std::vector<TrackPredictor::Point>& points) const {
   std::vector<Eigen::Vector2d> from, predicted;
+  std::vector<int> octaves;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     from.push_back(tracks_[i].left);
     predicted.push_back(points[i].left);
+    octaves.push_back(tracks_[i].octave);
   }
-  const auto flow = flow_.Track(before_->left, context.now.left, from, predicted);
+  const auto flow = flow_.Track(before_->left, context.now.left, from, predicted, octaves);
   std::vector<FeatureTrack> followed;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (!flow[i].IsTracked()) continue;
     FeatureTrack track = tracks_[i];
-    if (!anchors_.Follow(before_->left[0], context.now.left[0], flow[i].pixel, track)) continue;
+    if (!anchors_.Follow(before_->left, context.now.left, flow[i].pixel, track)) continue;
     track.inverse_depth = points[i].inverse_depth;
     track.left_before = tracks_[i].left;
     ++track.age;
@@ -166,7 +177,8 @@ std::vector<FeatureTrack> FeatureTracker::FollowDescriptors(
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (!matches[i].has_value()) continue;
     FeatureTrack track = tracks_[i];
-    if (!anchors_.Follow(before_->left[0], image, corners[*matches[i]].pixel, track)) continue;
+    const Eigen::Vector2d& corner = corners[*matches[i]].pixel;
+    if (!anchors_.Follow(before_->left, context.now.left, corner, track)) continue;
     track.inverse_depth = points[i].inverse_depth;
     track.left_before = tracks_[i].left;
     ++track.age;
@@ -177,16 +189,17 @@ std::vector<FeatureTrack> FeatureTracker::FollowDescriptors(
 
 bool FeatureTracker::AcceptRight(const Eigen::Vector2d& right, FeatureTrack& track) const {
   const auto inverse_depth = geometry_.InverseDepth(track.left, right);
-  if (!inverse_depth.has_value() || !stereo_.IsOnCurve(track.left, right)) return false;
+  if (!inverse_depth.has_value() || !stereo_.IsOnCurve(track.left, right, track.octave))
+    return false;
   track.right = right;
   track.inverse_depth = std::max(*inverse_depth, 0.0);
   return true;
 }
 
-bool FeatureTracker::FollowInRight(const cv::Mat& image, FeatureTrack& track) const {
+bool FeatureTracker::FollowInRight(const ImagePyramid& right, FeatureTrack& track) const {
   if (!track.inverse_depth.has_value()) return false;
   const auto start = geometry_.Transfer(track.left, *track.inverse_depth);
-  const auto found = start.has_value() ? anchors_.FindInRight(image, *start, track) : std::nullopt;
+  const auto found = start.has_value() ? anchors_.FindInRight(right, *start, track) : std::nullopt;
   return found.has_value() && AcceptRight(*found, track);
 }
 
@@ -194,22 +207,20 @@ bool FeatureTracker::FollowInRight(const cv::Mat& image, FeatureTrack& track) co
 // of the left image is tracked into the right one. Without a depth only if `search`.
 void FeatureTracker::MatchStereo(const Pyramids& now, bool search,
                                  std::vector<FeatureTrack>& tracks) const {
-  std::vector<Eigen::Vector2d> pixels;
-  std::vector<std::optional<double>> inverse_depths;
+  std::vector<SoughtInRight> sought;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     tracks[i].right.reset();
     if (!search && !tracks[i].inverse_depth.has_value()) continue;
-    if (FollowInRight(now.right[0], tracks[i])) continue;
-    pixels.push_back(tracks[i].left);
-    inverse_depths.push_back(tracks[i].inverse_depth);
+    if (FollowInRight(now.right, tracks[i])) continue;
+    sought.push_back({tracks[i].left, tracks[i].inverse_depth, tracks[i].octave});
     places.push_back(i);
   }
-  const auto matches = stereo_.Match(now.left, now.right, pixels, inverse_depths);
+  const auto matches = stereo_.Match(now.left, now.right, sought);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].IsTracked()) continue;
     FeatureTrack& track = tracks[places[i]];
-    const auto finer = anchors_.FindInRight(now.right[0], matches[i].pixel, track);
+    const auto finer = anchors_.FindInRight(now.right, matches[i].pixel, track);
     if (!finer.has_value() || !AcceptRight(*finer, track)) AcceptRight(matches[i].pixel, track);
   }
 }
@@ -229,56 +240,78 @@ std::optional<Pose> FeatureTracker::RemoveOutliers(const Context& context, Time 
 }
 
 void FeatureTracker::Describe(const Context& context, std::vector<FeatureTrack>& tracks) const {
-  std::vector<Eigen::Vector2d> pixels;
-  pixels.reserve(tracks.size());
-  for (const FeatureTrack& track : tracks) pixels.push_back(track.left);
-  const auto descriptors =
-      extractor_.Describe(context.now.left[0], pixels, geometry_.camera(0), context.gravity_C);
-  for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i].descriptor = descriptors[i];
+  for (int octave = 0; octave < static_cast<int>(context.now.left.size()); ++octave) {
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      if (tracks[i].octave != octave) continue;
+      pixels.push_back(tracks[i].left);
+      places.push_back(i);
+    }
+    if (pixels.empty()) continue;
+    const auto descriptors =
+        extractor_.Describe(context.now.left[octave], pixels, geometry_.camera(0),
+                            context.gravity_C, OctaveScale(octave));
+    for (std::size_t k = 0; k < places.size(); ++k) tracks[places[k]].descriptor = descriptors[k];
+  }
 }
 
-// Corners away from what is tracked; without ids yet.
-std::vector<FeatureTrack> FeatureTracker::NewTracks(const cv::Mat& image) const {
+// Corners of an octave; without ids yet. Fine ones are looked for as if there were no coarse ones;
+// coarse ones where both eyes see nothing finer, for of what one eye sees much is noise.
+std::vector<FeatureTrack> FeatureTracker::NewTracks(int octave, const ImagePyramid& image) const {
+  const double scale = OctaveScale(octave);
+  const CornerDetector& detector = octave == 0 ? detector_ : coarse_detector_;
   std::vector<Eigen::Vector2d> occupied;
   occupied.reserve(tracks_.size());
-  for (const FeatureTrack& track : tracks_) occupied.push_back(track.left);
+  for (const FeatureTrack& track : tracks_) {
+    const bool is_finer = track.octave < octave && track.right.has_value();
+    if (track.octave == octave || is_finer) occupied.emplace_back(track.left / scale);
+  }
   std::vector<FeatureTrack> fresh;
-  for (const Corner& corner : detector_.Detect(image, occupied)) {
+  for (const Corner& corner : detector.Detect(image[octave], occupied)) {
     FeatureTrack track;
-    track.left = track.left_before = corner.pixel;
+    track.octave = octave;
+    track.left = track.left_before = scale * corner.pixel;
     if (anchors_.Anchor(image, track)) fresh.push_back(std::move(track));
   }
   return fresh;
 }
 
 void FeatureTracker::AddCorners(const Context& context, const std::optional<Pose>& T_WI) {
-  std::vector<FeatureTrack> fresh = NewTracks(context.now.left[0]);
-  if (config_.matching != Matching::kPatches) {
-    Describe(context, fresh);
-    Describe(context, tracks_);
-    std::optional<Pose> pose = T_WI;
-    if (!pose.has_value() && context.motion.has_value()) pose = context.motion->T_WI_now;
-    if (pose.has_value()) {
-      std::vector<FeatureTrack> regained = Regain(context, *pose, fresh);
+  std::optional<Pose> pose = T_WI;
+  if (!pose.has_value() && context.motion.has_value()) pose = context.motion->T_WI_now;
+  const bool describe = config_.matching != Matching::kPatches;
+  if (describe) Describe(context, tracks_);
+  const int octaves = config_.matching == Matching::kDescriptors ? 1 : config_.octaves;
+  for (int octave = 0; octave < std::min(octaves, static_cast<int>(context.now.left.size()));
+       ++octave) {
+    if (octave > 0 && octave * SeenByBoth(tracks_) >= config_.enough_points) break;
+    std::vector<FeatureTrack> fresh = NewTracks(octave, context.now.left);
+    if (describe) Describe(context, fresh);
+    if (describe && pose.has_value()) {
+      std::vector<FeatureTrack> regained = Regain(octave, context, *pose, fresh);
       MatchStereo(context.now, false, regained);
       std::ranges::move(regained, std::back_inserter(tracks_));
     }
-  }
-  MatchStereo(context.now, true, fresh);
-  for (FeatureTrack& track : fresh) {
-    track.id = next_id_++;
-    tracks_.push_back(std::move(track));
+    MatchStereo(context.now, true, fresh);
+    for (FeatureTrack& track : fresh) {
+      if (octave > 0 && !track.right.has_value()) continue;
+      track.id = next_id_++;
+      tracks_.push_back(std::move(track));
+    }
   }
   std::ranges::sort(tracks_, {}, &FeatureTrack::id);
 }
 
 // Lost points that are among the new corners; these corners are taken out.
-std::vector<FeatureTrack> FeatureTracker::Regain(const Context& context, const Pose& T_WI,
+std::vector<FeatureTrack> FeatureTracker::Regain(int octave, const Context& context,
+                                                 const Pose& T_WI,
                                                  std::vector<FeatureTrack>& corners) const {
   const Pose T_CW = (T_WI * geometry_.T_IC(0)).Inverse();
   std::vector<FeatureTrack> lost;
   std::vector<DescribedPoint> expected, found;
   for (FeatureTrack& track : memory_.Lost(tracks_)) {
+    if (track.octave != octave) continue;
     const auto p_W = context.landmarks ? context.landmarks(track.id) : std::nullopt;
     if (!p_W.has_value()) continue;
     const Eigen::Vector3d p_C = T_CW * *p_W;
@@ -295,7 +328,7 @@ std::vector<FeatureTrack> FeatureTracker::Regain(const Context& context, const P
   for (std::size_t i = 0; i < lost.size(); ++i) {
     if (!matches[i].has_value()) continue;
     const FeatureTrack& corner = corners[*matches[i]];
-    if (!anchors_.Regain(context.now.left[0], corner.left, lost[i])) continue;
+    if (!anchors_.Regain(context.now.left, corner.left, lost[i])) continue;
     lost[i].left_before = lost[i].left;
     lost[i].descriptor = corner.descriptor;
     ++lost[i].age;
@@ -314,9 +347,8 @@ TrackedFrame FeatureTracker::Report(Time t) const {
   TrackedFrame frame;
   frame.t = t;
   for (const FeatureTrack& track : tracks_) {
-    const double unlikeness = std::max(1.0 - track.correlation, 0.0);
-    frame.points.push_back({track.id, track.left, track.right,
-                            config_.sigma_px + config_.sigma_per_unlikeness_px * unlikeness});
+    frame.points.push_back(
+        {track.id, track.left, track.right, config_.sigma.Of(track.octave, track.correlation)});
   }
   frame.empty_quadrants = EmptyQuadrants(tracks_, geometry_.camera(0).intrinsics());
   return frame;
@@ -327,10 +359,17 @@ bool FeatureTracker::IsToBeDescribed(Time t) const {
          t - *last_described_ >= *config_.describe_every;
 }
 
-void FeatureTracker::ReportDescriptors(const std::vector<FeatureTrack>& tracks,
+void FeatureTracker::ReportDescriptors(const Context& context,
+                                       const std::vector<FeatureTrack>& tracks,
                                        TrackedFrame& frame) {
-  for (std::size_t i = 0; i < frame.points.size(); ++i)
-    frame.points[i].descriptor = tracks[i].descriptor;
+  const bool has_few = SeenByBoth(tracks) < config_.unfollowed.enough_points;
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    // Where few corners are seen twice, most of those seen once are noise.
+    const bool is_seen_twice = tracks[i].right.has_value() || tracks[i].age > 0;
+    if (is_seen_twice || !has_few) frame.points[i].descriptor = tracks[i].descriptor;
+  }
+  frame.unfollowed = unfollowed_.Find(context.now.left, context.now.right, tracks,
+                                      context.gravity_C, extractor_, config_.sigma);
   frame.is_described = true;
   last_described_ = frame.t;
 }

@@ -10,8 +10,10 @@
 #include "estimator/svin2/frontend/descriptor_extractor.h"
 #include "estimator/svin2/frontend/descriptor_matcher.h"
 #include "estimator/svin2/frontend/feature_track.h"
+#include "estimator/svin2/frontend/image_pyramid.h"
 #include "estimator/svin2/frontend/keyframe_memory.h"
 #include "estimator/svin2/frontend/keyframe_rule.h"
+#include "estimator/svin2/frontend/keypoint_sigma.h"
 #include "estimator/svin2/frontend/motion_prediction.h"
 #include "estimator/svin2/frontend/patch_tracker.h"
 #include "estimator/svin2/frontend/preprocessor.h"
@@ -19,6 +21,7 @@
 #include "estimator/svin2/frontend/stereo_matcher.h"
 #include "estimator/svin2/frontend/track_gate.h"
 #include "estimator/svin2/frontend/tracked_frame.h"
+#include "estimator/svin2/frontend/unfollowed_corners.h"
 #include "sensors_models/measurement/measurement.h"
 #include "sensors_models/measurement/rig.h"
 
@@ -36,9 +39,17 @@ class FeatureTracker {
  public:
   struct Config {
     Matching matching = Matching::kBoth;
+    /// Levels of the pyramid in which corners are looked for, the image's own first. What haze and
+    /// noise leave of the fine ones shows in stereo: where the right image does not have a corner,
+    /// coarser ones may be. Only while patches are followed, and no more than Lucas-Kanade has.
+    int octaves = 3;
+    /// The n-th coarser level is looked at where both eyes see fewer points than this / n.
+    int enough_points = 60;
     bool preprocess = true;
     Preprocessor::Config preprocessor;
     CornerDetector::Config detector;
+    /// Of all levels but the image's own, in their pixels. Stereo sorts out what is noise.
+    CornerDetector::Config coarse_detector = {.radius_px = 10.0, .min_score = 1e-4};
     DescriptorExtractor::Config descriptor;
     DescriptorMatcher::Config descriptor_matcher;
     /// Of Lucas-Kanade, and of the first match in stereo, which the rig's geometry checks.
@@ -51,10 +62,8 @@ class FeatureTracker {
     /// Frames this long after the last that was described are described too, for loop closing;
     /// nothing: keyframes alone. Tracks stay as they are.
     std::optional<Duration> describe_every = std::nullopt;
-    /// Standard deviation of a pixel's coordinate where the anchor is recognised perfectly, and
-    /// how it grows with 1 - correlation. As measured, see docs/models.md.
-    double sigma_px = 0.12;
-    double sigma_per_unlikeness_px = 0.9;
+    UnfollowedCorners::Config unfollowed;  ///< Of described frames, for loop closing.
+    KeypointSigma sigma;
   };
 
   /// Throws InputError for values that cannot be used.
@@ -72,7 +81,7 @@ class FeatureTracker {
 
  private:
   struct Pyramids {
-    PatchTracker::Pyramid left, right;
+    ImagePyramid left, right;
   };
   // What is known about the frame at hand.
   struct Context {
@@ -91,27 +100,29 @@ class FeatureTracker {
       const Context& context, const std::vector<TrackPredictor::Point>& points) const;
   void MatchStereo(const Pyramids& now, bool search, std::vector<FeatureTrack>& tracks) const;
   bool AcceptRight(const Eigen::Vector2d& right, FeatureTrack& track) const;
-  bool FollowInRight(const cv::Mat& image, FeatureTrack& track) const;
+  bool FollowInRight(const ImagePyramid& right, FeatureTrack& track) const;
   std::optional<Pose> RemoveOutliers(const Context& context, Time t,
                                      std::vector<FeatureTrack>& tracks) const;
   void AddCorners(const Context& context, const std::optional<Pose>& T_WI);
   void Describe(const Context& context, std::vector<FeatureTrack>& tracks) const;
-  std::vector<FeatureTrack> Regain(const Context& context, const Pose& T_WI,
+  std::vector<FeatureTrack> Regain(int octave, const Context& context, const Pose& T_WI,
                                    std::vector<FeatureTrack>& corners) const;
-  std::vector<FeatureTrack> NewTracks(const cv::Mat& image) const;
+  std::vector<FeatureTrack> NewTracks(int octave, const ImagePyramid& image) const;
   TrackedFrame Report(Time t) const;
   bool IsToBeDescribed(Time t) const;
-  void ReportDescriptors(const std::vector<FeatureTrack>& tracks, TrackedFrame& frame);
+  void ReportDescriptors(const Context& context, const std::vector<FeatureTrack>& tracks,
+                         TrackedFrame& frame);
 
   Config config_;
   StereoGeometry geometry_;
   Preprocessor preprocessor_;
-  CornerDetector detector_;
+  CornerDetector detector_, coarse_detector_;
   DescriptorExtractor extractor_;
   DescriptorMatcher matcher_;
   PatchTracker flow_;  // Lucas-Kanade alone.
   AnchorTracker anchors_;
   StereoMatcher stereo_;
+  UnfollowedCorners unfollowed_;
   TrackGate gate_;
   KeyframeRule keyframes_;
   KeyframeMemory memory_;

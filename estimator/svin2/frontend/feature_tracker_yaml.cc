@@ -107,6 +107,14 @@ KeyframeRule::Config ReadKeyframes(YamlReader& yaml, KeyframeRule::Config c) {
   return c;
 }
 
+UnfollowedCorners::Config ReadUnfollowed(YamlReader& yaml, UnfollowedCorners::Config c) {
+  yaml.OptionalMap("corners", [&](YamlReader& map) { c.detector = ReadCorners(map, c.detector); });
+  c.octave = IntegerOr(yaml, "octave", {0, 7}, c.octave);
+  c.enough_points = IntegerOr(yaml, "enough_points", {0, 100000}, c.enough_points);
+  c.min_correlation = yaml.Real("min_correlation", kShare, c.min_correlation);
+  return c;
+}
+
 Matching ReadMatching(YamlReader& yaml) {
   const std::string name = yaml.Choice("matching", {"patches", "descriptors", "both"}, "both");
   if (name == "patches") return Matching::kPatches;
@@ -118,15 +126,24 @@ Matching ReadMatching(YamlReader& yaml) {
 FeatureTracker::Config ReadFeatureTracker(YamlReader& yaml) {
   FeatureTracker::Config c;
   c.matching = ReadMatching(yaml);
+  c.octaves = IntegerOr(yaml, "octaves", {1, 8}, c.octaves);
+  c.enough_points = IntegerOr(yaml, "enough_points", {0, 100000}, c.enough_points);
   c.preprocess = yaml.Boolean("preprocess", c.preprocess);
   c.memory_keyframes = IntegerOr(yaml, "memory_keyframes", {0, 100}, c.memory_keyframes);
-  c.sigma_px = yaml.Real("sigma_px", {0.001, 100.0}, c.sigma_px);
-  c.sigma_per_unlikeness_px =
-      yaml.Real("sigma_per_unlikeness_px", {0.0, 100.0}, c.sigma_per_unlikeness_px);
+  KeypointSigma& sigma = c.sigma;
+  sigma.recognised_px = yaml.Real("sigma_px", {0.001, 100.0}, sigma.recognised_px);
+  sigma.per_unlikeness_px =
+      yaml.Real("sigma_per_unlikeness_px", {0.0, 100.0}, sigma.per_unlikeness_px);
+  sigma.coarse_px = yaml.Real("coarse_sigma_px", {0.001, 100.0}, sigma.coarse_px);
   yaml.OptionalMap("preprocessor", [&](YamlReader& map) {
     c.preprocessor = ReadPreprocessor(map, c.preprocessor);
   });
   yaml.OptionalMap("corners", [&](YamlReader& map) { c.detector = ReadCorners(map, c.detector); });
+  yaml.OptionalMap("coarse_corners", [&](YamlReader& map) {
+    c.coarse_detector = ReadCorners(map, c.coarse_detector);
+  });
+  yaml.OptionalMap("unfollowed",
+                   [&](YamlReader& map) { c.unfollowed = ReadUnfollowed(map, c.unfollowed); });
   yaml.OptionalMap("descriptors", [&](YamlReader& map) { ReadDescriptors(map, c); });
   yaml.OptionalMap("flow", [&](YamlReader& map) { c.patches = ReadFlow(map, c.patches); });
   yaml.OptionalMap("anchors", [&](YamlReader& map) { c.anchors = ReadAnchors(map, c.anchors); });

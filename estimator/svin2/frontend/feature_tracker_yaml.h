@@ -10,16 +10,21 @@ namespace drydock::svin2 {
 /// FeatureTracker::Config and of its parts. InputError names file, line and key.
 ///
 ///     matching: both              # patches | descriptors | both
+///     octaves: 3
+///     enough_points: 60
 ///     preprocess: true
 ///     memory_keyframes: 3
 ///     sigma_px: 0.12
 ///     sigma_per_unlikeness_px: 0.9
+///     coarse_sigma_px: 0.14
 ///     preprocessor:
 ///       {denoise_sigma_px, adjust_contrast, low_percentile, high_percentile, max_gain, clahe,
 ///        clahe_clip_limit, clahe_tiles}
 ///     corners:
 ///       {max_corners, radius_px, border_px, window_sigma_px, min_score, min_quality,
 ///        refine_radius_px, max_refine_px}
+///     coarse_corners: {as corners}
+///     unfollowed: {corners, octave, enough_points, min_correlation}
 ///     descriptors: {pattern_radius_px, max_distance, max_ratio, radius_px}
 ///     flow:
 ///       {window_px, levels, max_forward_backward_px, patch_radius_px, affine, min_correlation,

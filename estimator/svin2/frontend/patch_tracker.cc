@@ -1,5 +1,6 @@
 #include "estimator/svin2/frontend/patch_tracker.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <opencv2/video/tracking.hpp>
@@ -30,20 +31,49 @@ PatchTracker::PatchTracker(const Config& config) : config_(config) {
                "patch_radius_px is {}; it must lie in [0, 50]", config.patch_radius_px);
 }
 
-PatchTracker::Pyramid PatchTracker::MakePyramid(const cv::Mat& image) const {
+ImagePyramid PatchTracker::MakePyramid(const cv::Mat& image) const {
   Check(image.type() == CV_8UC1 && !image.empty(), "tracking needs an image of type CV_8UC1");
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   // Small images end early: the pyramid then has fewer levels.
   cv::buildOpticalFlowPyramid(image, pyramid, {config_.window_px, config_.window_px},
                               config_.levels - 1, false);
   return pyramid;
 }
 
-std::vector<PatchTrack> PatchTracker::Track(const Pyramid& from, const Pyramid& to,
+std::vector<PatchTrack> PatchTracker::Track(const ImagePyramid& from, const ImagePyramid& to,
                                             const std::vector<Eigen::Vector2d>& pixels,
-                                            const std::vector<Eigen::Vector2d>& predicted) const {
+                                            const std::vector<Eigen::Vector2d>& predicted,
+                                            const std::vector<int>& octaves) const {
   Check(pixels.size() == predicted.size(), "{} pixels but {} predictions", pixels.size(),
         predicted.size());
+  Check(octaves.empty() || octaves.size() == pixels.size(), "{} pixels but {} octaves",
+        pixels.size(), octaves.size());
+  if (octaves.empty()) return TrackInOctave(from, to, pixels, predicted);
+  std::vector<PatchTrack> tracks(pixels.size());
+  const int levels = static_cast<int>(std::min(from.size(), to.size()));
+  for (int octave = 0; octave < levels; ++octave) {
+    const double scale = OctaveScale(octave);
+    std::vector<std::size_t> places;
+    std::vector<Eigen::Vector2d> start, near;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (octaves[i] != octave) continue;
+      places.push_back(i);
+      start.emplace_back(pixels[i] / scale);
+      near.emplace_back(predicted[i] / scale);
+    }
+    const auto found = TrackInOctave({from.begin() + octave, from.end()},
+                                     {to.begin() + octave, to.end()}, start, near);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      tracks[places[k]] = found[k];
+      tracks[places[k]].pixel *= scale;
+    }
+  }
+  return tracks;
+}
+
+std::vector<PatchTrack> PatchTracker::TrackInOctave(
+    const ImagePyramid& from, const ImagePyramid& to, const std::vector<Eigen::Vector2d>& pixels,
+    const std::vector<Eigen::Vector2d>& predicted) const {
   std::vector<PatchTrack> tracks(pixels.size());
   if (pixels.empty()) return tracks;
   std::vector<cv::Point2f> start, found, back;

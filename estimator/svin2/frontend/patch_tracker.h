@@ -6,6 +6,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "estimator/svin2/frontend/image_pyramid.h"
+
 namespace drydock::svin2 {
 
 enum class TrackStatus {
@@ -42,22 +44,25 @@ class PatchTracker {
     double max_align_px = 1.5;  ///< An alignment that moves further has gone astray.
   };
 
-  /// An image at all scales, made once and used with its predecessor and its successor.
-  using Pyramid = std::vector<cv::Mat>;
-
   /// Throws InputError for values that cannot be used.
   explicit PatchTracker(const Config& config);
 
-  /// `image` is CV_8UC1.
-  Pyramid MakePyramid(const cv::Mat& image) const;
+  /// `image` is CV_8UC1. Made once, and used with its predecessor and its successor.
+  ImagePyramid MakePyramid(const cv::Mat& image) const;
 
   /// Where the patches about `pixels` in `from` are in `to`. The search starts at `predicted` (one
-  /// each).
-  std::vector<PatchTrack> Track(const Pyramid& from, const Pyramid& to,
+  /// each). A patch, and what the configuration says of it, is in pixels of its octave (`octaves`,
+  /// one each; empty: all 0), all else in the image's.
+  std::vector<PatchTrack> Track(const ImagePyramid& from, const ImagePyramid& to,
                                 const std::vector<Eigen::Vector2d>& pixels,
-                                const std::vector<Eigen::Vector2d>& predicted) const;
+                                const std::vector<Eigen::Vector2d>& predicted,
+                                const std::vector<int>& octaves = {}) const;
 
  private:
+  std::vector<PatchTrack> TrackInOctave(const ImagePyramid& from, const ImagePyramid& to,
+                                        const std::vector<Eigen::Vector2d>& pixels,
+                                        const std::vector<Eigen::Vector2d>& predicted) const;
+
   Config config_;
 };
 

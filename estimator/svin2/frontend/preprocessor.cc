@@ -66,7 +66,7 @@ cv::Mat Preprocessor::AdjustContrast(const cv::Mat& fine) const {
   return adjusted;
 }
 
-cv::Mat Preprocessor::Process(const cv::Mat& image) {
+cv::Mat Preprocessor::Process(const cv::Mat& image, int halvings) {
   Check(!image.empty() && (image.type() == CV_8UC1 || image.type() == CV_8UC3),
         "the front end takes images of type CV_8UC1 or CV_8UC3");
   cv::Mat grey;
@@ -77,6 +77,7 @@ cv::Mat Preprocessor::Process(const cv::Mat& image) {
   }
   cv::Mat fine;
   grey.convertTo(fine, CV_16U, kFine);
+  for (int k = 0; k < halvings; ++k) cv::pyrDown(fine, fine);
   if (config_.denoise_sigma_px > 0.0) {
     const int radius = std::max(1, static_cast<int>(std::lround(2.5 * config_.denoise_sigma_px)));
     cv::GaussianBlur(fine, fine, {2 * radius + 1, 2 * radius + 1}, config_.denoise_sigma_px,

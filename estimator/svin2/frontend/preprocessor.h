@@ -30,8 +30,10 @@ class Preprocessor {
   /// Throws InputError for values that cannot be used.
   explicit Preprocessor(const Config& config);
 
-  /// A grey image (CV_8UC1) of the same size. `image` is CV_8UC1 or CV_8UC3 (BGR), and not empty.
-  cv::Mat Process(const cv::Mat& image);
+  /// A grey image (CV_8UC1), halved `halvings` times before all else: of a coarse image much of the
+  /// noise is gone, and what stands out is no longer hidden from CLAHE. Pixel p of it is pixel
+  /// 2^halvings p. `image` is CV_8UC1 or CV_8UC3 (BGR), and not empty.
+  cv::Mat Process(const cv::Mat& image, int halvings = 0);
 
  private:
   cv::Mat AdjustContrast(const cv::Mat& fine) const;

@@ -44,7 +44,8 @@ class Consensus {
     for (std::size_t i = 0; i < observations_.size(); ++i) {
       const LandmarkObservation& seen = observations_[i];
       const auto pixel = rig_.camera(seen.camera).Project(T_CW[seen.camera] * seen.p_W);
-      const double error = pixel.has_value() ? (*pixel - seen.pixel).squaredNorm() : largest;
+      const double error =
+          pixel.has_value() ? ((*pixel - seen.pixel) / seen.scale).squaredNorm() : largest;
       vote.cost += std::min(error, largest);
       if (error < largest) vote.inliers.push_back(i);
     }
@@ -96,7 +97,7 @@ class Consensus {
     return poses;
   }
 
-  // An observation's error [px] and its derivative by p_C.
+  // An observation's error [px of its scale] and its derivative by p_C.
   struct Linear {
     Eigen::Vector2d error;
     Eigen::Matrix<double, 2, 3> by_point;
@@ -111,9 +112,9 @@ class Consensus {
     if (camera.intrinsics().lens == LensModel::kEquidistant) {
       const auto projected = camera.ProjectWithJacobian(p_C);
       if (!projected.has_value()) return std::nullopt;
-      return Linear{seen.pixel - projected->pixel, projected->by_point};
+      return Linear{(seen.pixel - projected->pixel) / seen.scale, projected->by_point / seen.scale};
     }
-    const double focal = camera.intrinsics().fx;
+    const double focal = camera.intrinsics().fx / seen.scale;
     const Eigen::Vector2d predicted = p_C.head<2>() / p_C.z();
     Linear linear{focal * (*ideal_[i] - predicted), {}};
     linear.by_point << Eigen::Matrix2d::Identity(), -predicted;

@@ -16,10 +16,11 @@ struct LandmarkObservation {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
   int camera = 0;                                 ///< 0 left, 1 right.
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double scale = 1.0;  ///< By which its errors are larger than those of fine points.
 };
 
 struct RigRansacConfig {
-  double max_error_px = 3.0;   ///< Reprojection error of an inlier.
+  double max_error_px = 3.0;   ///< Reprojection error of an inlier of scale 1.
   int min_inliers = 10;        ///< With fewer there is no pose.
   int max_iterations = 200;    ///< Of sampling, less where many agree early:
   double confidence = 0.9999;  ///< of having drawn three inliers.

@@ -54,14 +54,18 @@ StereoMatcher::StereoMatcher(const Config& config, const StereoGeometry& geometr
       config.search_level, config.search_radius_px);
 }
 
-std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const cv::Mat& right,
-                                                     double scale,
-                                                     const Eigen::Vector2d& pixel) const {
+std::optional<Eigen::Vector2d> StereoMatcher::Search(const ImagePyramid& left,
+                                                     const ImagePyramid& right,
+                                                     const SoughtInRight& point) const {
+  const int level =
+      std::min({std::max(config_.search_level, point.octave), static_cast<int>(left.size()) - 1,
+                static_cast<int>(right.size()) - 1});
+  const double scale = OctaveScale(level);
   const int radius = config_.search_radius_px;
-  const cv::Point at_left = Rounded(pixel / scale);
-  const auto nearest = geometry_.Transfer(pixel, 1.0 / config_.min_depth_m);
-  const auto farthest = geometry_.Transfer(pixel, 0.0);
-  if (!nearest.has_value() || !farthest.has_value() || !HasPatch(left, at_left, radius)) {
+  const cv::Point at_left = Rounded(point.left / scale);
+  const auto nearest = geometry_.Transfer(point.left, 1.0 / config_.min_depth_m);
+  const auto farthest = geometry_.Transfer(point.left, 0.0);
+  if (!nearest.has_value() || !farthest.has_value() || !HasPatch(left[level], at_left, radius)) {
     return std::nullopt;
   }
   // One step a pixel of this level; pixels go nearly evenly with inverse depth.
@@ -70,11 +74,11 @@ std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const 
   std::optional<Eigen::Vector2d> best;
   double best_correlation = config_.min_search_correlation;
   for (int step = 0; step <= steps; ++step) {
-    const auto candidate = geometry_.Transfer(pixel, step / (steps * config_.min_depth_m));
+    const auto candidate = geometry_.Transfer(point.left, step / (steps * config_.min_depth_m));
     if (!candidate.has_value()) continue;
     const cv::Point at_right = Rounded(*candidate / scale);
-    if (!HasPatch(right, at_right, radius)) continue;
-    const double correlation = Correlation(left, at_left, right, at_right, radius);
+    if (!HasPatch(right[level], at_right, radius)) continue;
+    const double correlation = Correlation(left[level], at_left, right[level], at_right, radius);
     if (correlation <= best_correlation) continue;
     best_correlation = correlation;
     best = candidate;
@@ -82,37 +86,34 @@ std::optional<Eigen::Vector2d> StereoMatcher::Search(const cv::Mat& left, const 
   return best;
 }
 
-bool StereoMatcher::IsOnCurve(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const {
+bool StereoMatcher::IsOnCurve(const Eigen::Vector2d& left, const Eigen::Vector2d& right,
+                              int octave) const {
   const auto distance = geometry_.EpipolarDistance(left, right);
-  return distance.has_value() && *distance <= config_.max_epipolar_px;
+  return distance.has_value() && *distance <= OctaveScale(octave) * config_.max_epipolar_px;
 }
 
-std::vector<PatchTrack> StereoMatcher::Match(
-    const PatchTracker::Pyramid& left, const PatchTracker::Pyramid& right,
-    const std::vector<Eigen::Vector2d>& pixels,
-    const std::vector<std::optional<double>>& inverse_depths) const {
-  Check(pixels.size() == inverse_depths.size(), "{} pixels but {} inverse depths", pixels.size(),
-        inverse_depths.size());
-  const int level = std::min({config_.search_level, static_cast<int>(left.size()) - 1,
-                              static_cast<int>(right.size()) - 1});
-  const double scale = std::ldexp(1.0, level);
-  std::vector<PatchTrack> tracks(pixels.size());
+std::vector<PatchTrack> StereoMatcher::Match(const ImagePyramid& left, const ImagePyramid& right,
+                                             const std::vector<SoughtInRight>& points) const {
+  std::vector<PatchTrack> tracks(points.size());
   std::vector<Eigen::Vector2d> sought, predicted;
+  std::vector<int> octaves;
   std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto start = inverse_depths[i].has_value()
-                           ? geometry_.Transfer(pixels[i], *inverse_depths[i])
-                           : Search(left[level], right[level], scale, pixels[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SoughtInRight& point = points[i];
+    const auto start = point.inverse_depth.has_value()
+                           ? geometry_.Transfer(point.left, *point.inverse_depth)
+                           : Search(left, right, point);
     if (!start.has_value()) continue;
-    sought.push_back(pixels[i]);
+    sought.push_back(point.left);
     predicted.push_back(*start);
+    octaves.push_back(point.octave);
     places.push_back(i);
   }
-  const auto found = tracker_.Track(left, right, sought, predicted);
+  const auto found = tracker_.Track(left, right, sought, predicted, octaves);
   for (std::size_t i = 0; i < found.size(); ++i) {
     PatchTrack& track = tracks[places[i]];
     track = found[i];
-    if (track.IsTracked() && !IsOnCurve(sought[i], track.pixel)) {
+    if (track.IsTracked() && !IsOnCurve(sought[i], track.pixel, octaves[i])) {
       track.status = TrackStatus::kOffEpipolar;
     }
   }

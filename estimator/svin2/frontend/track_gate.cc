@@ -1,5 +1,7 @@
 #include "estimator/svin2/frontend/track_gate.h"
 
+#include "estimator/svin2/frontend/image_pyramid.h"
+
 namespace drydock::svin2 {
 
 TrackGate::Verdict TrackGate::Judge(const StereoGeometry& geometry,
@@ -41,7 +43,8 @@ TrackGate::Verdict TrackGate::Judge(const StereoGeometry& geometry,
     if (has_landmark[i]) continue;
     const auto distance =
         EpipolarDistance(camera, tracks[i].left_before, camera, tracks[i].left, T_now_before);
-    if (distance.has_value() && *distance > config_.max_epipolar_px) verdict.left[i] = false;
+    const double largest = OctaveScale(tracks[i].octave) * config_.max_epipolar_px;
+    if (distance.has_value() && *distance > largest) verdict.left[i] = false;
   }
   return verdict;
 }

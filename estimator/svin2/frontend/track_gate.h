@@ -17,7 +17,8 @@ class TrackGate {
  public:
   struct Config {
     RigRansacConfig ransac;
-    double max_epipolar_px = 2.0;  ///< Distance from the line of the last frame's pixel.
+    /// Distance from the line of the last frame's pixel, in pixels of the track's octave.
+    double max_epipolar_px = 2.0;
     double min_baseline_m = 0.01;  ///< With less motion between frames there is no line.
   };
 

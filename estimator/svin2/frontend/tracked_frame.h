@@ -28,6 +28,10 @@ struct TrackedFrame {
   std::vector<TrackedPoint> points;  ///< Sorted by id.
   bool is_keyframe = false;
   bool is_described = false;  ///< Its points have descriptors.
+  /// Of a described frame with few points: coarse corners that both eyes see and nobody follows.
+  /// They serve to know the place again. Their ids lie above
+  /// those of all landmarks.
+  std::vector<TrackedPoint> unfollowed;
   // For health:
   int tracked = 0;          ///< Points that were known before this frame.
   int empty_quadrants = 0;  ///< Of the left image.

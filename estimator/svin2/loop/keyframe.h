@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -25,6 +26,10 @@ struct KeyframePoint {
   /// The landmark as the window estimated it [m, in the body's frame at the keyframe].
   std::optional<Eigen::Vector3d> p_I = std::nullopt;
 };
+
+/// By how much a point's errors are larger than those that bounds in pixels are made for: coarse
+/// points are known to some pixels, and found again to some more.
+inline double ErrorScale(const KeyframePoint& point) { return std::max(1.0, point.sigma_px); }
 
 /// One sonar range that met landmarks of the keyframe.
 struct KeyframePing {

@@ -30,11 +30,17 @@ LoopChecker::LoopChecker(const Config& config, const StereoGeometry& rig)
   RequireInput(config.radius_px > 0.0 && config.guess_radius_px > 0.0,
                "radius_px is {} and guess_radius_px {}; both must be positive", config.radius_px,
                config.guess_radius_px);
+  RequireInput(config.max_pairs_without_index >= 0,
+               "max_pairs_without_index is {}; it must not be negative",
+               config.max_pairs_without_index);
 }
 
 Relocalisation LoopChecker::Check(const Keyframe& now, const DirectIndex& index_now,
                                   const Keyframe& then, const DirectIndex& index_then,
                                   const std::optional<Pose>& T_then_now) const {
+  const std::size_t pairs = now.points.size() * then.points.size();
+  if (pairs <= static_cast<std::size_t>(config_.max_pairs_without_index))
+    return Check(now, then, T_then_now);
   return Check(now, then, matcher_.Match(now, index_now, then, index_then), T_then_now);
 }
 

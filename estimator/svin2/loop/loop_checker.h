@@ -21,7 +21,10 @@ class LoopChecker {
     LoopMatcher::Config matcher = {};
     LoopVerifier::Config verifier = {};
     Relocaliser::Config relocaliser = {};
-    int min_seed_inliers = 10;      ///< Of the matches by looks alone.
+    int min_seed_inliers = 10;  ///< Of the matches by looks alone.
+    /// Up to so many pairs of points all are compared, not only those below the same node of the
+    /// vocabulary: in haze noise puts a point below another.
+    int max_pairs_without_index = 40'000;
     double radius_px = 10.0;        ///< About where a motion has a point.
     double guess_radius_px = 40.0;  ///< About where a guess has it: 20 cm at 3 m.
   };

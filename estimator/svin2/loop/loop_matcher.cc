@@ -113,14 +113,14 @@ std::vector<LoopMatch> LoopMatcher::MatchNear(const StereoGeometry& rig, const K
   const auto then_in_now = Pixels(rig, landmarks_then, T_then_now.Inverse());
   const auto now_in_then = Pixels(rig, LandmarksOf(rig, now), T_then_now);
   const auto is_near = [radius_px](const std::optional<Eigen::Vector2d>& expected,
-                                   const Eigen::Vector2d& pixel) {
-    return expected.has_value() && (*expected - pixel).norm() <= radius_px;
+                                   const KeyframePoint& seen) {
+    return expected.has_value() && (*expected - seen.left).norm() <= radius_px * ErrorScale(seen);
   };
   MutualNearest nearest(now, then);
   for (std::size_t i = 0; i < now.points.size(); ++i) {
     for (std::size_t j = 0; j < then.points.size(); ++j) {
-      if (landmarks_then[j].has_value() ? is_near(then_in_now[j], now.points[i].left)
-                                        : is_near(now_in_then[i], then.points[j].left)) {
+      if (landmarks_then[j].has_value() ? is_near(then_in_now[j], now.points[i])
+                                        : is_near(now_in_then[i], then.points[j])) {
         nearest.Compare(i, j);
       }
     }

@@ -38,7 +38,8 @@ class LoopMatcher {
   /// All points are compared with all.
   std::vector<LoopMatch> Match(const Keyframe& now, const Keyframe& then) const;
   /// Points are compared that `T_then_now` brings within `radius_px` of each other in one of the
-  /// left images: then's landmark in now's or, if it is no landmark, now's in then's.
+  /// left images (of coarse points further, see ErrorScale): then's landmark in now's or, if it is
+  /// no landmark, now's in then's.
   std::vector<LoopMatch> MatchNear(const StereoGeometry& rig, const Keyframe& now,
                                    const Keyframe& then, const Pose& T_then_now,
                                    double radius_px) const;

@@ -46,8 +46,9 @@ std::vector<LandmarkObservation> Observations(const std::vector<LoopMatch>& matc
     const auto& landmark = landmarks[match.*landmark_side];
     if (!landmark.has_value()) continue;
     const KeyframePoint& seen = seen_by.points[match.*pixel_side];
-    observations.push_back({*landmark, 0, seen.left});
-    if (seen.right.has_value()) observations.push_back({*landmark, 1, *seen.right});
+    const double scale = ErrorScale(seen);
+    observations.push_back({*landmark, 0, seen.left, scale});
+    if (seen.right.has_value()) observations.push_back({*landmark, 1, *seen.right, scale});
   }
   return observations;
 }
@@ -127,7 +128,7 @@ struct LoopVerifier::Candidates {
       const auto is_near = [&](int camera, const Eigen::Vector2d& pixel) {
         const auto expected =
             rig.camera(camera).Project(rig.T_IC(camera).Inverse() * (T * *landmark));
-        return expected.has_value() && (*expected - pixel).norm() < max_error_px;
+        return expected.has_value() && (*expected - pixel).norm() < max_error_px * ErrorScale(seen);
       };
       return is_near(0, seen.left) && (!seen.right.has_value() || is_near(1, *seen.right));
     };

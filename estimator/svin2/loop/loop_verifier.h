@@ -45,7 +45,7 @@ class LoopVerifier {
     int min_inliers = 15;           ///< Matches.
     double min_inlier_share = 0.3;  ///< Of the matches.
     /// Reprojection error of an inlier. Corners are found up to some 2 px beside; and what stereo
-    /// knows to 0.2 px of disparity is, from ten baselines beside, off by 2 px.
+    /// knows to 0.2 px of disparity is, from ten baselines beside, off by 2 px. Times ErrorScale.
     double max_error_px = 5.0;
     int max_iterations = 100;
     /// RMS of the inliers' pixels about their mean, in the direction in which it is smallest.

@@ -22,6 +22,10 @@ Keyframe DescribeKeyframe(const SlidingWindow& window, const TrackedFrame& seen,
     places.emplace(tracked.id, keyframe.points.size());
     keyframe.points.push_back(point);
   }
+  for (const TrackedPoint& seen_only : seen.unfollowed) {
+    keyframe.points.push_back(
+        {seen_only.id, seen_only.left, seen_only.right, seen_only.sigma_px, *seen_only.descriptor});
+  }
   for (const TiedPing& tied : pings) {
     KeyframePing ping{tied.observation, {}};
     for (const LandmarkId id : tied.estimated)

@@ -91,14 +91,18 @@ std::vector<LoopCloser::Candidate> LoopCloser::FindCandidates(const Keyframe& no
   if (old_enough == 0) return candidates;
   if (const auto nearby = FindNearby(now, old_enough)) candidates.push_back(*nearby);
 
+  if (config_.max_verified == 0) return candidates;
   const std::vector<PlaceMatch> alike = consistency_.Update(
       places_.LoopCandidates(bag.words, {keyframes_.back().index},
                              keyframes_[old_enough - 1].index + 1, config_.candidates));
   int count = 0;
+  std::size_t pairs = 0;
   for (const PlaceMatch& match : alike) {
     const std::size_t then = PlaceOf(match.keyframe);
     if (NumShared(keyframes_[then], now) > config_.max_tracked) continue;
-    if (++count > config_.max_verified) break;
+    pairs += now.points.size() * keyframes_[then].points.size();
+    if (++count > config_.max_verified && pairs > static_cast<std::size_t>(config_.max_pairs))
+      break;
     candidates.push_back({then, std::nullopt});
   }
   return candidates;

@@ -26,6 +26,7 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.consistency.required =
       integer("consistent_keyframes", 1, 100, config.consistency.required);
   config.max_verified = integer("max_verified", 0, 100, config.max_verified);
+  config.max_pairs = integer("max_pairs", 0, 1e9, config.max_pairs);
   reader.OptionalMap("nearby", [&](YamlReader& nearby) { ReadNearby(nearby, config.nearby); });
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);

@@ -26,7 +26,8 @@ struct LoopCloserConfig {
   /// Looks alone tell places apart weakly: geometry decides, so most candidates may come to it.
   LoopCandidateRule candidates = {.neighbour_share = 0.1, .min_score = 0.01};
   CandidateConsistency::Config consistency = {.max_gap = 3, .required = 1};
-  int max_verified = 3;  ///< Candidates by looks that are verified, the best first.
+  int max_verified = 3;     ///< Candidates by looks that are verified, the best first,
+  int max_pairs = 100'000;  ///< and more of them while so few pairs of points are to be compared.
   NearbyRule nearby;
   int index_level = 2;  ///< Points are compared below one node, so many steps from the root.
   LoopChecker::Config check;

@@ -103,6 +103,22 @@ TEST(Descriptors, StayTheSameAsTheCameraRolls) {
   }
 }
 
+// The same wall at half the size, described at half the scale, is the same wall.
+TEST(Descriptors, OfALevelAreThoseOfTheHalvedImage) {
+  DescriptorExtractor extractor({});
+  const cv::Mat image = Wall(0.0, 1.0, 1);
+  const auto as_image = extractor.Describe(image, Points(0.0), Camera(), kDown);
+  std::vector<Eigen::Vector2d> twice;
+  for (const Eigen::Vector2d& pixel : Points(0.0)) twice.emplace_back(2.0 * pixel);
+  CameraIntrinsics large = Camera().intrinsics();
+  large.width *= 2;
+  large.height *= 2;
+  for (double* length : {&large.fx, &large.fy, &large.cx, &large.cy}) *length *= 2.0;
+  const auto as_level = extractor.Describe(image, twice, CameraModel(large), kDown, 2.0);
+  ASSERT_EQ(as_level.size(), as_image.size());
+  EXPECT_LT(MeanDistance(as_image, as_level, 0), 5.0);
+}
+
 TEST(Descriptors, LeavesOutWhatIsTooNearTheEdge) {
   DescriptorExtractor extractor({});
   const auto descriptors = extractor.Describe(

@@ -32,6 +32,8 @@ TEST(FeatureTrackerYaml, NothingSaidIsTheDefault) {
   const FeatureTracker::Config read = Read("{}"), meant;
   EXPECT_EQ(read.matching, meant.matching);
   EXPECT_EQ(read.detector.min_score, meant.detector.min_score);
+  EXPECT_EQ(read.octaves, meant.octaves);
+  EXPECT_EQ(read.coarse_detector.radius_px, meant.coarse_detector.radius_px);
   EXPECT_EQ(read.anchors.patch_radius_px, meant.anchors.patch_radius_px);
   EXPECT_EQ(read.keyframes.min_tracked_share, meant.keyframes.min_tracked_share);
   // The defaults serve.
@@ -45,6 +47,11 @@ preprocess: false
 memory_keyframes: 2
 sigma_px: 0.5
 sigma_per_unlikeness_px: 0.25
+octaves: 2
+enough_points: 50
+coarse_sigma_px: 0.2
+coarse_corners: {radius_px: 9}
+unfollowed: {corners: {radius_px: 7}, octave: 1, enough_points: 70, min_correlation: 0.6}
 preprocessor: {denoise_sigma_px: 1.5, clahe: false}
 corners: {max_corners: 123, min_score: 0.001}
 descriptors: {pattern_radius_px: 20, max_distance: 70, max_ratio: 0.9, radius_px: 12}
@@ -57,8 +64,16 @@ keyframes: {max_overlap: 0.5, min_gap: 4}
   EXPECT_EQ(c.matching, Matching::kDescriptors);
   EXPECT_FALSE(c.preprocess);
   EXPECT_EQ(c.memory_keyframes, 2);
-  EXPECT_EQ(c.sigma_px, 0.5);
-  EXPECT_EQ(c.sigma_per_unlikeness_px, 0.25);
+  EXPECT_EQ(c.sigma.recognised_px, 0.5);
+  EXPECT_EQ(c.sigma.per_unlikeness_px, 0.25);
+  EXPECT_EQ(c.octaves, 2);
+  EXPECT_EQ(c.enough_points, 50);
+  EXPECT_EQ(c.sigma.coarse_px, 0.2);
+  EXPECT_EQ(c.coarse_detector.radius_px, 9.0);
+  EXPECT_EQ(c.unfollowed.octave, 1);
+  EXPECT_EQ(c.unfollowed.enough_points, 70);
+  EXPECT_EQ(c.unfollowed.min_correlation, 0.6);
+  EXPECT_EQ(c.unfollowed.detector.radius_px, 7.0);
   EXPECT_EQ(c.preprocessor.denoise_sigma_px, 1.5);
   EXPECT_FALSE(c.preprocessor.clahe);
   EXPECT_EQ(c.detector.max_corners, 123);

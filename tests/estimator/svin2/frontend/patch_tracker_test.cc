@@ -154,6 +154,27 @@ TEST(PatchTracker, SaysHowAlikePatchesAre) {
             TrackStatus::kUnlike);
 }
 
+// Shifted by whole pixels of the coarsest octave, so that each level is shifted alike; the fine
+// level is noise, in which octave 0 finds nothing.
+TEST(PatchTracker, FollowsAPatchAtItsOctave) {
+  const Warp warp{.shift = {8.0, -4.0}};
+  const PatchTracker tracker({});
+  const cv::Mat noise = Draw(
+      kWidth, kHeight, [](const Eigen::Vector2d&) { return 120.0; }, 20.0, 5);
+  const cv::Mat other = Draw(
+      kWidth, kHeight, [](const Eigen::Vector2d&) { return 120.0; }, 20.0, 6);
+  ImagePyramid from = tracker.MakePyramid(Before()), to = tracker.MakePyramid(After(warp));
+  from[0] = tracker.MakePyramid(noise)[0];
+  to[0] = tracker.MakePyramid(other)[0];
+  const std::vector<Eigen::Vector2d> pixels = {{120.0, 100.0}, {160.0, 120.0}, {200.0, 140.0}};
+  const auto tracks = tracker.Track(from, to, pixels, pixels, {1, 0, 2});
+  ASSERT_TRUE(tracks[0].IsTracked());
+  EXPECT_LT((tracks[0].pixel - warp(pixels[0])).norm(), 0.2);
+  EXPECT_FALSE(tracks[1].IsTracked());
+  // Beyond the last level there is nothing.
+  EXPECT_FALSE(tracker.Track(from, to, {pixels[0]}, {pixels[0]}, {9})[0].IsTracked());
+}
+
 TEST(PatchTracker, RefusesBadConfigurations) {
   EXPECT_THROW(PatchTracker({.window_px = 20}), InputError);
   EXPECT_THROW(PatchTracker({.levels = 0}), InputError);

@@ -117,6 +117,17 @@ TEST(Preprocessor, KeepsFractionsOfGreyLevels) {
   EXPECT_GT(std::count_if(counts.begin(), counts.end(), [](int n) { return n > 20; }), 60);
 }
 
+// Pixel p of the halved image is pixel 2 p: a ramp says so. Noise is lower by far.
+TEST(Preprocessor, HalvesBeforeAllElse) {
+  const auto ramp = [](const Eigen::Vector2d& p) { return 60.0 + 0.5 * p.x(); };
+  const cv::Mat halved = Preprocessor(Nothing()).Process(Draw(200, 100, ramp), 1);
+  ASSERT_EQ(halved.size(), cv::Size(100, 50));
+  for (const int x : {10, 50, 90}) EXPECT_NEAR(halved.at<std::uint8_t>(25, x), 60.0 + x, 1.0);
+  const auto flat = [](const Eigen::Vector2d&) { return 120.0; };
+  const cv::Mat noisy = Draw(200, 100, flat, 8.0);
+  EXPECT_LT(Deviation(Preprocessor(Nothing()).Process(noisy, 1)), 0.5 * Deviation(noisy));
+}
+
 TEST(Preprocessor, RefusesBadConfigurations) {
   Preprocessor::Config config;
   config.low_percentile = 60.0;

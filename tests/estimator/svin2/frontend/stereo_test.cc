@@ -106,36 +106,44 @@ TEST(StereoGeometry, InverseDepthUndoesTransfer) {
   }
 }
 
-class StereoMatches : public ::testing::TestWithParam<double> {};
+struct StereoCase {
+  double distance_m;
+  int octave;
+};
+
+class StereoMatches : public ::testing::TestWithParam<StereoCase> {};
 
 TEST_P(StereoMatches, FindsTheOtherPixelWithoutKnowingTheDepth) {
   const StereoGeometry geometry(HalfRig());
-  const Wall wall(GetParam());
+  const Wall wall(GetParam().distance_m);
   // At 0.7 m the two views differ by more than a shift.
   const PatchTracker tracker({.affine = true});
   const auto left = tracker.MakePyramid(wall.View(geometry, 0));
   const auto right = tracker.MakePyramid(wall.View(geometry, 1));
-  std::vector<Eigen::Vector2d> pixels;
+  std::vector<SoughtInRight> points;
   for (int y = 40; y < 270; y += 40) {
-    for (int x = 120; x < 370; x += 40) pixels.emplace_back(x, y);
+    for (int x = 120; x < 370; x += 40)
+      points.push_back({Eigen::Vector2d(x, y), std::nullopt, GetParam().octave});
   }
   const StereoMatcher matcher({}, geometry, tracker);
-  const auto tracks =
-      matcher.Match(left, right, pixels, std::vector<std::optional<double>>(pixels.size()));
+  const auto tracks = matcher.Match(left, right, points);
   std::size_t found = 0;
   double squares = 0.0;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (!tracks[i].IsTracked()) continue;
     ++found;
-    const Eigen::Vector3d p_I = wall.PointAt(geometry, 0, pixels[i]);
+    const Eigen::Vector3d p_I = wall.PointAt(geometry, 0, points[i].left);
     const auto truth = geometry.camera(1).Project(geometry.T_IC(1).Inverse() * p_I).value();
     squares += (tracks[i].pixel - truth).squaredNorm();
   }
-  EXPECT_GE(found, pixels.size() * 9 / 10);
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(found)), 0.1);
+  EXPECT_GE(found, points.size() * 9 / 10);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(found)), 0.1 * OctaveScale(GetParam().octave));
 }
 
-INSTANTIATE_TEST_SUITE_P(Distances, StereoMatches, ::testing::Values(0.7, 2.0, 20.0));
+INSTANTIATE_TEST_SUITE_P(Distances, StereoMatches,
+                         ::testing::Values(StereoCase{0.7, 0}, StereoCase{2.0, 0},
+                                           StereoCase{20.0, 0}, StereoCase{2.0, 1},
+                                           StereoCase{20.0, 1}));
 
 // The right camera has been knocked: what it sees no longer lies where the calibration says.
 TEST(StereoMatcher, RejectsWhatLiesOffTheLine) {
@@ -147,10 +155,10 @@ TEST(StereoMatcher, RejectsWhatLiesOffTheLine) {
   const Wall wall(2.0);
   const PatchTracker tracker({});
   const StereoMatcher matcher({}, geometry, tracker);
-  const std::vector<Eigen::Vector2d> pixels = {{150.0, 100.0}, {200.0, 150.0}, {250.0, 200.0}};
-  const auto tracks =
-      matcher.Match(tracker.MakePyramid(wall.View(geometry, 0)),
-                    tracker.MakePyramid(wall.View(knocked, 1)), pixels, {0.5, 0.5, std::nullopt});
+  const std::vector<SoughtInRight> points = {
+      {{150.0, 100.0}, 0.5, 0}, {{200.0, 150.0}, 0.5, 0}, {{250.0, 200.0}, std::nullopt, 0}};
+  const auto tracks = matcher.Match(tracker.MakePyramid(wall.View(geometry, 0)),
+                                    tracker.MakePyramid(wall.View(knocked, 1)), points);
   for (const PatchTrack& track : tracks) EXPECT_EQ(track.status, TrackStatus::kOffEpipolar);
 }
 

@@ -45,9 +45,11 @@ TEST(LoopChecker, ComparesByTheIndexWhereThereIsOne) {
     now[static_cast<std::uint32_t>(loop.now.points[k].id % 8)].push_back(k);
     then[static_cast<std::uint32_t>(loop.then.points[k].id % 8)].push_back(k);
   }
-  const LoopChecker checker({}, loop.rig);
+  const LoopChecker checker({.max_pairs_without_index = 0}, loop.rig);
   EXPECT_TRUE(checker.Check(loop.now, IndexOf(now), loop.then, IndexOf(then)).IsGood());
   EXPECT_EQ(checker.Check(loop.now, {}, loop.then, {}).status, LoopStatus::kFewMatches);
+  // So few points are all compared.
+  EXPECT_TRUE(LoopChecker({}, loop.rig).Check(loop.now, {}, loop.then, {}).IsGood());
 }
 
 // Looks find 14 of 80 points, geometry the rest.
@@ -101,6 +103,7 @@ TEST(LoopChecker, RefusesValuesThatCannotBe) {
   EXPECT_THROW(LoopChecker({.min_seed_inliers = 3}, rig), InputError);
   EXPECT_THROW(LoopChecker({.radius_px = 0.0}, rig), InputError);
   EXPECT_THROW(LoopChecker({.guess_radius_px = -1.0}, rig), InputError);
+  EXPECT_THROW(LoopChecker({.max_pairs_without_index = -1}, rig), InputError);
 }
 
 }  // namespace

@@ -64,6 +64,19 @@ TEST(LoopVerifier, WorksFromEitherSide) {
   EXPECT_EQ(Verify(loop, loop.matches).status, LoopStatus::kFewInliers);
 }
 
+// Coarse points err by pixels: what they are known to bounds what they may be off.
+TEST(LoopVerifier, AllowsCoarsePointsTheirErrors) {
+  SyntheticLoop loop =
+      MakeLoop({.sigma_px = 2.5,
+                .noisy = true,
+                .T_then_now = Pose(Eigen::Quaterniond::Identity(), {0.1, 0.05, 0.0})});
+  const VerifiedLoop coarse = Verify(loop, loop.matches);
+  ASSERT_TRUE(coarse.IsGood());
+  for (auto* points : {&loop.now.points, &loop.then.points})
+    for (KeyframePoint& point : *points) point.sigma_px = 0.15;
+  EXPECT_GT(coarse.inliers.size(), Verify(loop, loop.matches).inliers.size() + 20);
+}
+
 TEST(LoopVerifier, RefusesPlacesThatOnlyLookAlike) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const SyntheticLoop loop = MakeLoop({.seed = seed});

@@ -53,6 +53,24 @@ TEST_F(DescribeKeyframeTest, HasWhatIsDescribed) {
   EXPECT_GT(landmarks, 50);
 }
 
+// They have no landmark in the window, but stereo tells their place.
+TEST_F(DescribeKeyframeTest, HasWhatNobodyFollowsBehindTheRest) {
+  const std::size_t before = DescribeKeyframe(window_, seen_, {}).points.size();
+  TrackedPoint coarse = seen_.points.front();
+  coarse.id = LandmarkId{1} << 63U;
+  coarse.sigma_px = 2.0;
+  coarse.descriptor = Descriptor{7};
+  seen_.unfollowed = {coarse};
+  const Keyframe keyframe = DescribeKeyframe(window_, seen_, {});
+  ASSERT_EQ(keyframe.points.size(), before + 1);
+  const KeyframePoint& last = keyframe.points.back();
+  EXPECT_EQ(last.id, coarse.id);
+  EXPECT_EQ(last.right, coarse.right);
+  EXPECT_EQ(last.descriptor, *coarse.descriptor);
+  EXPECT_EQ(last.sigma_px, 2.0);
+  EXPECT_FALSE(last.p_I.has_value());
+}
+
 TEST_F(DescribeKeyframeTest, HasTheLinkOfTheWindowAndLandmarksAsTheyAreSeenFromThere) {
   const Time t{200'000'000};
   const auto samples = testing::MotionSamples(Time{}, t, Duration{1'000'000});
