@@ -368,8 +368,10 @@ void FeatureTracker::ReportDescriptors(const Context& context,
     const bool is_seen_twice = tracks[i].right.has_value() || tracks[i].age > 0;
     if (is_seen_twice || !has_few) frame.points[i].descriptor = tracks[i].descriptor;
   }
-  frame.unfollowed = unfollowed_.Find(context.now.left, context.now.right, tracks,
-                                      context.gravity_C, extractor_, config_.sigma);
+  if (config_.describe_every.has_value()) {
+    frame.unfollowed = unfollowed_.Find(context.now.left, context.now.right, tracks,
+                                        context.gravity_C, extractor_, config_.sigma);
+  }
   frame.is_described = true;
   last_described_ = frame.t;
 }

@@ -62,7 +62,8 @@ class FeatureTracker {
     /// Frames this long after the last that was described are described too, for loop closing;
     /// nothing: keyframes alone. Tracks stay as they are.
     std::optional<Duration> describe_every = std::nullopt;
-    UnfollowedCorners::Config unfollowed;  ///< Of described frames, for loop closing.
+    /// Of described frames, for loop closing: only with `describe_every`.
+    UnfollowedCorners::Config unfollowed;
     KeypointSigma sigma;
   };
 

@@ -399,6 +399,7 @@ TEST_F(Haze, LeavesCoarsePointsTheirAccuracy) {
 
 TEST_F(Haze, ShowsCoarseCornersToRecognise) {
   FeatureTracker::Config config = WithOctaves(1);
+  config.describe_every = Duration{700'000'000};
   config.unfollowed.octave = 1;  // The rig's images are small.
   Dive dive(config);
   const TrackedFrame frame = Swim(dive, 0);
@@ -416,6 +417,7 @@ TEST_F(Haze, ShowsCoarseCornersToRecognise) {
 
 TEST(FeatureTracker, LooksForNothingCoarseWhereFineCornersAreEnough) {
   FeatureTracker::Config config = Small();
+  config.describe_every = Duration{700'000'000};
   config.enough_points = config.unfollowed.enough_points = 40;
   FeatureTracker::Config fine_alone = config;
   fine_alone.octaves = 1;
