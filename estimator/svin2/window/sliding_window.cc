@@ -255,6 +255,7 @@ void SlidingWindow::Slide() {
     const auto oldest = std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) {
       return frame.speed_bias.has_value();
     });
+    oldest->is_keyframe |= IsLastSight(*oldest);
     if (oldest->is_keyframe) {
       const std::array<BlockId, 1> gone = {*oldest->speed_bias};
       graph_.Marginalise(gone);
@@ -363,11 +364,20 @@ std::vector<Eigen::Vector3d> SlidingWindow::LandmarkPositions() const {
   return positions;
 }
 
-int SlidingWindow::LandmarksInView() const {
-  return static_cast<int>(std::count_if(points_.begin(), points_.end(), [&](const auto& entry) {
+int SlidingWindow::LandmarksInView() const { return LandmarksSeenBy(frames_.back()); }
+
+int SlidingWindow::LandmarksSeenBy(const Frame& frame) const {
+  return static_cast<int>(std::ranges::count_if(points_, [&](const auto& entry) {
     const Point& point = entry.second;
-    return point.landmark && point.observations.back().frame == frames_.back().index;
+    return point.landmark && std::ranges::any_of(point.observations, [&](const Observation& seen) {
+             return seen.frame == frame.index;
+           });
   }));
+}
+
+bool SlidingWindow::IsLastSight(const Frame& frame) const {
+  return LandmarksInView() < config_.min_landmarks &&
+         LandmarksSeenBy(frame) >= config_.min_landmarks;
 }
 
 }  // namespace drydock::svin2

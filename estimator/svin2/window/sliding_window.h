@@ -26,6 +26,9 @@ namespace drydock::svin2 {
 struct WindowConfig {
   int keyframes = 5;      ///< Beside the recent frames.
   int recent_frames = 3;  ///< With velocity and biases.
+  /// Where the latest frame has fewer landmarks in view, those before it stay as keyframes: place
+  /// and speed at the last sight are what inertia goes on from.
+  int min_landmarks = 6;
   SolverLimits solver;
   double cauchy_scale = 1.0;            ///< Of a keypoint's robust loss, in standard deviations.
   double max_reprojection_chi2 = 16.0;  ///< An observation worse than this is taken away.
@@ -131,6 +134,9 @@ class SlidingWindow {
   void AddObservations(const Frame& frame, const TrackedFrame& seen);
   void TriangulateNewLandmarks();
   void AddReprojection(Point& point, Observation& observation);
+  int LandmarksSeenBy(const Frame& frame) const;
+  /// Whether what a frame saw must not be forgotten with it, for the latest frame sees too little.
+  bool IsLastSight(const Frame& frame) const;
   void Link(const Frame& before, Frame& frame, const ImuPreintegration& imu);
   void RenewImuFactors();
   void RejectOutliers();

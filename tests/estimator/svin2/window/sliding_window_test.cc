@@ -132,6 +132,27 @@ TEST(SlidingWindow, CarriesOnByInertiaWithoutPoints) {
   EXPECT_LT(run.PositionError(75), 5e-3);
 }
 
+/// The position's standard deviation [m] after 2 s in the dark that begin 3 s after the only
+/// keyframe.
+double DoubtInTheDark(const WindowConfig& config) {
+  WindowRun run(300, 0.0, config);
+  run.change = [](int k, TrackedFrame& seen) {
+    seen.is_keyframe = k == 0;
+    if (k > 45) seen.points.clear();
+  };
+  run.RunTo(75);
+  EXPECT_LE(run.window.NumFrames(), config.keyframes + config.recent_frames);
+  const auto covariance = run.window.LatestCovariance();
+  return covariance ? std::sqrt(covariance->diagonal().head<3>().sum()) : NAN;
+}
+
+TEST(SlidingWindow, GoesIntoTheDarkWithWhatItSawLast) {
+  EXPECT_LT(DoubtInTheDark({}), 0.2);
+  WindowConfig forgetful;
+  forgetful.min_landmarks = 0;
+  EXPECT_GT(DoubtInTheDark(forgetful), 1.0) << "where the last frames are forgotten";
+}
+
 TEST(SlidingWindow, OutliersDoNotMoveIt) {
   WindowRun run;
   run.change = [](int k, TrackedFrame& seen) {
