@@ -255,8 +255,7 @@ void SlidingWindow::Slide() {
     const auto oldest = std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) {
       return frame.speed_bias.has_value();
     });
-    oldest->is_keyframe |= IsLastSight(*oldest);
-    if (oldest->is_keyframe) {
+    if (oldest->is_keyframe || IsLastSight(*oldest)) {
       const std::array<BlockId, 1> gone = {*oldest->speed_bias};
       graph_.Marginalise(gone);
       oldest->speed_bias.reset();

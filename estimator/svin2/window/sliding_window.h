@@ -26,8 +26,9 @@ namespace drydock::svin2 {
 struct WindowConfig {
   int keyframes = 5;      ///< Beside the recent frames.
   int recent_frames = 3;  ///< With velocity and biases.
-  /// Where the latest frame has fewer landmarks in view, those before it stay as keyframes: place
-  /// and speed at the last sight are what inertia goes on from.
+  /// Where the latest frame has fewer landmarks in view, those before it stay as keyframes do:
+  /// place and speed at the last sight are what inertia goes on from. They are no keyframes to
+  /// others.
   int min_landmarks = 6;
   SolverLimits solver;
   double cauchy_scale = 1.0;            ///< Of a keypoint's robust loss, in standard deviations.

@@ -153,6 +153,19 @@ TEST(SlidingWindow, GoesIntoTheDarkWithWhatItSawLast) {
   EXPECT_GT(DoubtInTheDark(forgetful), 1.0) << "where the last frames are forgotten";
 }
 
+TEST(SlidingWindow, LinksToNoFrameThatIsNoKeyframeThoughItStays) {
+  WindowRun run;
+  run.change = [](int k, TrackedFrame& seen) {
+    seen.is_keyframe = k == 0;
+    if (k > 20) seen.points.clear();
+  };
+  run.RunTo(26);
+  const auto link = run.window.LinkToKeyframe();
+  ASSERT_TRUE(link.has_value());
+  const Pose way = testing::MotionAt(Time{}).T_WI.Inverse() * testing::MotionAt(FrameTime(26)).T_WI;
+  EXPECT_LT(link->T_before_now.BoxMinus(way).norm(), 1e-2);
+}
+
 TEST(SlidingWindow, OutliersDoNotMoveIt) {
   WindowRun run;
   run.change = [](int k, TrackedFrame& seen) {
