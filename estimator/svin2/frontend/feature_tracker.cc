@@ -19,7 +19,7 @@ PatchTracker::Config FlowOnly(PatchTracker::Config config) {
 
 Preprocessor::Config PreprocessorOr(bool on, Preprocessor::Config config) {
   if (on) return config;
-  config.denoise_sigma_px = 0.0;
+  config.denoise_sigma_px = config.background_sigma_px = 0.0;
   config.adjust_contrast = config.clahe = false;
   return config;
 }

@@ -15,6 +15,7 @@ int IntegerOr(YamlReader& yaml, std::string_view key, Bounds bounds, int default
 
 Preprocessor::Config ReadPreprocessor(YamlReader& yaml, Preprocessor::Config c) {
   c.denoise_sigma_px = yaml.Real("denoise_sigma_px", {0.0, 5.0}, c.denoise_sigma_px);
+  c.background_sigma_px = yaml.Real("background_sigma_px", {0.0, 1000.0}, c.background_sigma_px);
   c.adjust_contrast = yaml.Boolean("adjust_contrast", c.adjust_contrast);
   c.low_percentile = yaml.Real("low_percentile", {0.0, 100.0}, c.low_percentile);
   c.high_percentile = yaml.Real("high_percentile", {0.0, 100.0}, c.high_percentile);

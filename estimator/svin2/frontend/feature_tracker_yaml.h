@@ -14,12 +14,12 @@ namespace drydock::svin2 {
 ///     enough_points: 60
 ///     preprocess: true
 ///     memory_keyframes: 3
-///     sigma_px: 0.12
-///     sigma_per_unlikeness_px: 0.9
-///     coarse_sigma_px: 0.14
+///     sigma_px: 0.05
+///     sigma_per_unlikeness_px: 1.0
+///     coarse_sigma_px: 0.38
 ///     preprocessor:
-///       {denoise_sigma_px, adjust_contrast, low_percentile, high_percentile, max_gain, clahe,
-///        clahe_clip_limit, clahe_tiles}
+///       {denoise_sigma_px, background_sigma_px, adjust_contrast, low_percentile,
+///        high_percentile, max_gain, clahe, clahe_clip_limit, clahe_tiles}
 ///     corners:
 ///       {max_corners, radius_px, border_px, window_sigma_px, min_score, min_quality,
 ///        refine_radius_px, max_refine_px}

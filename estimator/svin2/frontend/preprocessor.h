@@ -6,13 +6,18 @@
 
 namespace drydock::svin2 {
 
-/// Noise handling, contrast adjustment and CLAHE, in this order, so that what haze has left of the
-/// contrast is spread out and the sensor's noise is not. Deterministic.
+/// Noise handling, removal of the background, contrast adjustment and CLAHE, in this order, so that
+/// what haze has left of the contrast is spread out and the sensor's noise is not. Deterministic.
 class Preprocessor {
  public:
   struct Config {
     /// Gaussian against the sensor's noise [px]; 0: none.
     double denoise_sigma_px = 0.8;
+
+    /// What varies more slowly over the image than a Gaussian of this width is taken away [px; 0:
+    /// nothing is]. The water's veil and the lens's vignetting stay where they are while the scene
+    /// moves past: in haze they are most of a patch's contrast and hold it back.
+    double background_sigma_px = 30.0;
 
     /// Contrast adjustment: what lies between two percentiles of the image is spread linearly over
     /// the 256 codes. Done before rounding: the filter's fractions of a grey level survive.
@@ -36,6 +41,7 @@ class Preprocessor {
   cv::Mat Process(const cv::Mat& image, int halvings = 0);
 
  private:
+  cv::Mat WithoutBackground(const cv::Mat& fine) const;
   cv::Mat AdjustContrast(const cv::Mat& fine) const;
 
   Config config_;

@@ -1,8 +1,12 @@
 #include "estimator/svin2/frontend/preprocessor.h"
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "estimator/svin2/frontend/patch_tracker.h"
 #include "sensors_models/base/check.h"
 #include "tests/estimator/svin2/frontend/synthetic_images.h"
 
@@ -32,7 +36,7 @@ bool Same(const cv::Mat& a, const cv::Mat& b) {
 
 Preprocessor::Config Nothing() {
   Preprocessor::Config config;
-  config.denoise_sigma_px = 0.0;
+  config.denoise_sigma_px = config.background_sigma_px = 0.0;
   config.adjust_contrast = false;
   config.clahe = false;
   return config;
@@ -83,6 +87,60 @@ TEST(Preprocessor, ClaheEvensOutContrast) {
   const cv::Mat evened = Preprocessor(config).Process(image);
   EXPECT_GT(Deviation(evened(left)), 2.0 * Deviation(image(left)));
   EXPECT_LT(Deviation(evened(right)) / Deviation(evened(left)), 4.5);
+}
+
+// A veil that is brightest in the middle of the image, as vignetting leaves it.
+double Veil(const Eigen::Vector2d& p) {
+  return 60.0 *
+         std::exp(-(p - Eigen::Vector2d(160.0, 120.0)).squaredNorm() / (2.0 * 120.0 * 120.0));
+}
+
+TEST(Preprocessor, TakesTheBackgroundAway) {
+  auto config = Nothing();
+  config.background_sigma_px = 30.0;
+  const auto veil = [](const Eigen::Vector2d& p) { return 40.0 + Veil(p); };
+  EXPECT_GT(Deviation(Draw(320, 240, veil)), 10.0);
+  EXPECT_LT(Deviation(Preprocessor(config).Process(Draw(320, 240, veil))), 3.0);
+  // Texture stays, about the middle of the codes.
+  const cv::Mat hazy = Preprocessor(config).Process(Hazy(10.0, 0.0));
+  EXPECT_NEAR(Deviation(hazy), Deviation(Hazy(10.0, 0.0)), 0.5);
+  EXPECT_NEAR(cv::mean(hazy)[0], 128.0, 1.0);
+}
+
+// The scene moves under a veil that stays, which holds back what is tracked.
+TEST(Preprocessor, WhatStaysInTheImageHoldsNoTrackBack) {
+  constexpr double kShift = 1.5;
+  const Texture texture(3);
+  const auto scene = [&](double shift, std::uint64_t seed) {
+    const auto grey = [&](const Eigen::Vector2d& p) {
+      return 60.0 + Veil(p) + 0.7 * texture(p - Eigen::Vector2d(shift, 0.0));
+    };
+    return Draw(320, 240, grey, 0.3, seed);
+  };
+  std::vector<Eigen::Vector2d> pixels;
+  for (int y = 40; y <= 200; y += 20)
+    for (int x = 40; x <= 280; x += 20) pixels.emplace_back(x, y);
+  const auto mean_shift = [&](double background_sigma_px) {
+    Preprocessor::Config config;
+    config.background_sigma_px = background_sigma_px;
+    Preprocessor preprocessor(config);
+    const PatchTracker tracker({.min_correlation = 0.5});
+    const auto tracks =
+        tracker.Track(tracker.MakePyramid(preprocessor.Process(scene(0.0, 1))),
+                      tracker.MakePyramid(preprocessor.Process(scene(kShift, 2))), pixels, pixels);
+    double sum = 0.0;
+    int tracked = 0;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      if (!tracks[i].IsTracked()) continue;
+      sum += tracks[i].pixel.x() - pixels[i].x();
+      ++tracked;
+    }
+    EXPECT_GT(tracked, 60);
+    return sum / tracked;
+  };
+  const double held_back = kShift - mean_shift(0.0);
+  EXPECT_GT(held_back, 0.1);
+  EXPECT_LT(std::abs(kShift - mean_shift(30.0)), held_back / 3.0);
 }
 
 // Two exposures of one scene differ by their noise. After white noise went through a Gaussian of
@@ -138,6 +196,9 @@ TEST(Preprocessor, RefusesBadConfigurations) {
   EXPECT_THROW(Preprocessor{config}, InputError);
   config = {};
   config.denoise_sigma_px = -1.0;
+  EXPECT_THROW(Preprocessor{config}, InputError);
+  config = {};
+  config.background_sigma_px = -1.0;
   EXPECT_THROW(Preprocessor{config}, InputError);
   config = {};
   config.clahe_tiles = 0;
