@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "estimator/svin2/frontend/image_pyramid.h"
 
@@ -9,16 +10,16 @@ namespace drydock::svin2 {
 
 /// Standard deviations of each coordinate [px]. As measured, see docs/models.md.
 struct KeypointSigma {
-  double recognised_px = 0.12;     ///< Where the patch is recognised perfectly,
-  double per_unlikeness_px = 0.9;  ///< and how it grows with 1 - correlation.
-  /// At least this times 4^octave for coarse points: their patches are large, and not flat.
-  double coarse_px = 0.14;
+  double recognised_px = 0.05;  ///< Where the patch is recognised perfectly.
+  /// Of sqrt(1 - correlation), which goes as noise over contrast does. Both add in squares.
+  double per_unlikeness_px = 1.0;
+  double coarse_px = 0.38;  ///< At least this for coarse points, in pixels of their octave.
 
   /// In pixels of the image.
   double Of(int octave, double correlation) const {
-    const double scale = OctaveScale(octave);
-    const double sigma = recognised_px + per_unlikeness_px * std::max(1.0 - correlation, 0.0);
-    return octave == 0 ? sigma : std::max(scale * sigma, scale * scale * coarse_px);
+    const double unlikeness = std::sqrt(std::max(1.0 - correlation, 0.0));
+    const double sigma = std::hypot(recognised_px, per_unlikeness_px * unlikeness);
+    return octave == 0 ? sigma : OctaveScale(octave) * std::max(sigma, coarse_px);
   }
 };
 
