@@ -108,7 +108,7 @@ struct Factorised {
 };
 
 Factorised Factorise(const Eigen::MatrixXd& H) {
-  constexpr double kUnknown = 1e-10;
+  constexpr double kUnknown = 1e-13;
   // A diagonal of 0 belongs to a direction of which nothing is known; any scale will do.
   const Eigen::VectorXd scale = H.diagonal().unaryExpr(
       [](double value) { return value > 0.0 ? 1.0 / std::sqrt(value) : 1.0; });

@@ -28,10 +28,12 @@ struct MarginalTerm {
 /// information by a change of that point.
 ///
 /// Blocks go one after the other, the smallest first, so that landmarks cost little. A direction is
-/// taken for unknown if its eigenvalue is below 1e-10 of the largest, after scaling the information
+/// taken for unknown if its eigenvalue is below 1e-13 of the largest, after scaling the information
 /// to a diagonal of 1 (units of blocks differ by orders of magnitude); it is left out on either
-/// side: a pseudo-inverse. Robust losses weigh a term by the loss's slope at its linearisation.
-/// Terms that cannot be evaluated, or not to finite numbers, are left out.
+/// side: a pseudo-inverse. That is what rounding leaves of 0; much above it would forget where a
+/// chain of precise steps is in W, once that is known to a metre only. Robust losses weigh a term
+/// by the loss's slope at its linearisation. Terms that cannot be evaluated, or not to finite
+/// numbers, are left out.
 LinearPrior Marginalise(std::span<const BlockValues> blocks, std::span<const MarginalTerm> terms,
                         std::span<const std::size_t> kept);
 

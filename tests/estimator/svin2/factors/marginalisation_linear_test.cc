@@ -178,6 +178,22 @@ TEST(MarginalisationLinear, WhatIsUnknownStaysUnknown) {
   EXPECT_NEAR(both.error.squaredNorm(), 5.0, 1e-12);
 }
 
+// Two places are 0.1 mm sure of each other and 30 m of the origin: nine orders of magnitude apart
+// in information, and both kept.
+TEST(MarginalisationLinear, KeepsWhatIsHardlyKnownBesideWhatIsKnownWell) {
+  constexpr double kFar = 30.0, kNear = 1e-4;
+  const LinearFactor absolute(Eigen::MatrixXd::Constant(1, 1, 1.0 / kFar), Eigen::VectorXd::Zero(1),
+                              {1});
+  const LinearFactor step(Eigen::RowVector2d(-1.0, 1.0) / kNear, Eigen::VectorXd::Zero(1), {1, 1});
+  const std::vector<BlockValues> blocks = {{0}, {0}, {0}};
+  const std::vector<MarginalTerm> terms = {
+      {&absolute, nullptr, {0}}, {&step, nullptr, {0, 1}}, {&step, nullptr, {1, 2}}};
+  const LinearPrior prior = Marginalise(blocks, terms, std::vector<std::size_t>{1, 2});
+  ASSERT_EQ(prior.jacobian.rows(), 2);
+  const Eigen::Matrix2d covariance = (prior.jacobian.transpose() * prior.jacobian).inverse();
+  EXPECT_NEAR(covariance(1, 1) / (kFar * kFar), 1.0, 1e-3);
+}
+
 TEST(MarginalisationLinear, ARobustLossWeighsByItsSlope) {
   // An error of 3 under Cauchy(1): slope 1 / (1 + 9), so information a tenth.
   const LinearFactor factor(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Constant(1, 3.0),
