@@ -25,6 +25,15 @@ StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
   return sigmas;
 }
 
+/// The initialiser expects of the biases what the window does, where the sheet says it.
+InitialiserConfig InitialiserOf(const ImuSheet& sheet, const Svin2Config& config) {
+  InitialiserConfig initialiser = config.initialiser;
+  const SpeedBiasSigmas sigmas = StartSigmasOf(sheet, config.start).speed_bias;
+  if (sheet.gyro_turn_on_bias > 0.0) initialiser.gyro_bias_sigma = sigmas.gyro_bias;
+  if (sheet.accel_turn_on_bias > 0.0) initialiser.accel_bias_sigma = sigmas.accel_bias;
+  return initialiser;
+}
+
 DepthSheet InitialisersDepth(const Rig& rig, const Svin2Config& config) {
   DepthSheet sheet = rig.depth;
   if (!config.use_depth) sheet.rate_hz = 0.0;
@@ -39,7 +48,8 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       start_sigmas_(StartSigmasOf(rig.imu, config.start)),
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
-      initialiser_(config.initialiser, rig.stereo, imu_.noise(), InitialisersDepth(rig, config)),
+      initialiser_(InitialiserOf(rig.imu, config), rig.stereo, imu_.noise(),
+                   InitialisersDepth(rig, config)),
       depths_(rig.depth, config.depth_gate),
       monitor_(config.tracking),
       habit_(config.habit),
@@ -210,7 +220,7 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   TrackedFrame first = origin.tracked;
   first.is_keyframe = true;
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
-  window_->Start(state_of(origin), start_sigmas_, first);
+  window_->Start(state_of(origin), start_sigmas_, first, ImuBias{});
   UseDepths();
   tied_pings_.clear();
   NoteKeyframe(first);

@@ -33,12 +33,13 @@ SlidingWindow::SlidingWindow(const WindowConfig& config, const StereoGeometry& g
     : config_(config), geometry_(geometry) {}
 
 void SlidingWindow::Start(const NavState& state, const StartSigmas& sigmas,
-                          const TrackedFrame& seen) {
+                          const TrackedFrame& seen, const std::optional<ImuBias>& expected_bias) {
   Check(!IsStarted(), "the window has been started already");
   const Frame& frame = AddState(state, seen);
   graph_.AddFactor(std::make_unique<PosePriorFactor>(state.T_WI, StartWhitening(sigmas)),
                    {frame.pose});
-  graph_.AddFactor(std::make_unique<SpeedBiasPriorFactor>(SpeedBiasOf(state), sigmas.speed_bias),
+  const SpeedBias expected = {state.v_W, expected_bias.value_or(BiasOf(state))};
+  graph_.AddFactor(std::make_unique<SpeedBiasPriorFactor>(expected, sigmas.speed_bias),
                    {*frame.speed_bias});
   AddObservations(frame, seen);
 }

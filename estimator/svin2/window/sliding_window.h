@@ -49,8 +49,11 @@ class SlidingWindow {
  public:
   SlidingWindow(const WindowConfig& config, const StereoGeometry& geometry);
 
-  /// Begins with one state and what its frame saw.
-  void Start(const NavState& state, const StartSigmas& sigmas, const TrackedFrame& seen);
+  /// Begins with one state and what its frame saw. `expected_bias`: where the prior holds the
+  /// biases, if not at the state's: a state that was found from this and the next frames must not
+  /// count for a prior, for the window sees those frames too.
+  void Start(const NavState& state, const StartSigmas& sigmas, const TrackedFrame& seen,
+             const std::optional<ImuBias>& expected_bias = std::nullopt);
   bool IsStarted() const { return !frames_.empty(); }
 
   /// Adds the next frame, which `imu` links to the last one, at the state that the IMU predicts.

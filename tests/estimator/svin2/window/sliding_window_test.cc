@@ -203,6 +203,23 @@ TEST(SlidingWindow, DepthHoldsTheHeight) {
   EXPECT_LT(height_error(true), 5e-3);
 }
 
+// A state found from frames that the window sees as well may be off as far as they let it be. It
+// must not count twice, as what they say and as what was known before.
+TEST(SlidingWindow, AStartsBiasIsNoPriorWhereAnotherIsGiven) {
+  const auto gyro_bias_after = [](const std::optional<ImuBias>& expected) {
+    WindowRun run(0);  // In the dark nothing but the prior tells.
+    NavState found = testing::MotionAt(Time{});
+    found.gyro_bias = {0.01, 0.0, 0.0};
+    StartSigmas sigmas;
+    sigmas.speed_bias.gyro_bias = 1e-5;
+    run.window.Start(found, sigmas, run.See(0), expected);
+    for (int k = 1; k <= 5; ++k) run.Step(k);
+    return run.window.Latest().gyro_bias.x();
+  };
+  EXPECT_NEAR(gyro_bias_after(std::nullopt), 0.01, 1e-6);
+  EXPECT_NEAR(gyro_bias_after(ImuBias{}), 0.0, 1e-6);
+}
+
 TEST(SlidingWindow, AWrongFirstDepthIsOneOfMany) {
   // It reads 20 mm too deep. Taken for exact it would lift all heights by as much, later readings
   // being as sure; as an estimate the surface comes to where the readings are on average.
