@@ -52,7 +52,7 @@ enough_points: 50
 coarse_sigma_px: 0.2
 coarse_corners: {radius_px: 9}
 unfollowed: {corners: {radius_px: 7}, octave: 1, enough_points: 70, min_correlation: 0.6}
-preprocessor: {denoise_sigma_px: 1.5, clahe: false}
+preprocessor: {denoise_sigma_px: 1.5, background_sigma_px: 20, clahe: false}
 corners: {max_corners: 123, min_score: 0.001}
 descriptors: {pattern_radius_px: 20, max_distance: 70, max_ratio: 0.9, radius_px: 12}
 flow: {window_px: 15, levels: 3}
@@ -75,6 +75,7 @@ keyframes: {max_overlap: 0.5, min_gap: 4}
   EXPECT_EQ(c.unfollowed.min_correlation, 0.6);
   EXPECT_EQ(c.unfollowed.detector.radius_px, 7.0);
   EXPECT_EQ(c.preprocessor.denoise_sigma_px, 1.5);
+  EXPECT_EQ(c.preprocessor.background_sigma_px, 20.0);
   EXPECT_FALSE(c.preprocessor.clahe);
   EXPECT_EQ(c.detector.max_corners, 123);
   EXPECT_EQ(c.detector.min_score, 0.001);
