@@ -81,9 +81,11 @@ bool FeatureTracker::IsUsable(const StereoFrame& images) const {
 
 FeatureTracker::Pyramids FeatureTracker::MakePyramids(const StereoFrame& images) {
   const auto make = [this](const cv::Mat& image) {
-    ImagePyramid pyramid = flow_.MakePyramid(preprocessor_.Process(image));
-    const ImagePyramid coarse = flow_.MakePyramid(preprocessor_.Process(image, 1));
-    for (std::size_t level = 1; level < pyramid.size(); ++level) pyramid[level] = coarse[level - 1];
+    ImagePyramid pyramid = flow_.MakePyramid(preprocessor_.Process(image), 1);
+    const int coarser = config_.patches.levels - 1;
+    if (coarser == 0) return pyramid;
+    const ImagePyramid coarse = flow_.MakePyramid(preprocessor_.Process(image, 1), coarser);
+    pyramid.insert(pyramid.end(), coarse.begin(), coarse.end());
     return pyramid;
   };
   return {make(images.images[0]), make(images.images[1])};

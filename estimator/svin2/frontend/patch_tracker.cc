@@ -31,12 +31,12 @@ PatchTracker::PatchTracker(const Config& config) : config_(config) {
                "patch_radius_px is {}; it must lie in [0, 50]", config.patch_radius_px);
 }
 
-ImagePyramid PatchTracker::MakePyramid(const cv::Mat& image) const {
+ImagePyramid PatchTracker::MakePyramid(const cv::Mat& image, int levels) const {
   Check(image.type() == CV_8UC1 && !image.empty(), "tracking needs an image of type CV_8UC1");
   ImagePyramid pyramid;
   // Small images end early: the pyramid then has fewer levels.
-  cv::buildOpticalFlowPyramid(image, pyramid, {config_.window_px, config_.window_px},
-                              config_.levels - 1, false);
+  cv::buildOpticalFlowPyramid(image, pyramid, {config_.window_px, config_.window_px}, levels - 1,
+                              false);
   return pyramid;
 }
 

@@ -48,7 +48,11 @@ class PatchTracker {
   explicit PatchTracker(const Config& config);
 
   /// `image` is CV_8UC1. Made once, and used with its predecessor and its successor.
-  ImagePyramid MakePyramid(const cv::Mat& image) const;
+  ImagePyramid MakePyramid(const cv::Mat& image) const {
+    return MakePyramid(image, config_.levels);
+  }
+  /// The same of the finest `levels` only, for a caller who has others in mind for the rest.
+  ImagePyramid MakePyramid(const cv::Mat& image, int levels) const;
 
   /// Where the patches about `pixels` in `from` are in `to`. The search starts at `predicted` (one
   /// each). A patch, and what the configuration says of it, is in pixels of its octave (`octaves`,
