@@ -199,7 +199,11 @@ void AddWithoutLandmark(std::span<const BlockValues> blocks, std::span<const Mar
     members.insert(terms[k].blocks.begin(), terms[k].blocks.end());
   NormalEquations local(blocks, {members.begin(), members.end()});
   for (const std::size_t k : of_landmark) AddTerm(blocks, terms[k], local);
-  Eliminate(local, local.OffsetOf(landmark), TangentSize(blocks[landmark]));
+  const int at = local.OffsetOf(landmark);
+  const Eigen::MatrixXd inverse = Factorise(local.H.block(at, at, 3, 3)).inverse;
+  const Eigen::MatrixXd coupling = local.H.middleCols(at, 3) * inverse.transpose();
+  local.H.noalias() -= coupling * coupling.transpose();
+  local.b.noalias() -= coupling * (inverse * local.b.segment(at, 3));
   for (const std::size_t i : local.members) {
     if (i == landmark) continue;
     const int to_i = normal.OffsetOf(i), from_i = local.OffsetOf(i), rows = TangentSize(blocks[i]);
