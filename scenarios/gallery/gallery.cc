@@ -5,15 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <opencv2/imgcodecs.hpp>
-
-#include "scenarios/report/canvas.h"
-#include "scenarios/runner/scenario.h"
-#include "scenes/scene.h"
-#include "sensors_models/base/files.h"
-#include "sensors_models/base/resources.h"
-#include "sim/motion/spline_motion.h"
-#include "sim/sensors/stereo_camera.h"
+#include "scenarios/gallery/bus_views.h"
+#include "scenarios/gallery/picture_rows.h"
 
 namespace drydock {
 namespace {
@@ -40,47 +33,18 @@ const std::vector<Condition>& Conditions() {
 
 /// Moments of the dive [s]: along the side, the front, inside.
 constexpr std::array<double, 3> kMoments = {2.0, 33.0, 91.0};
-constexpr double kTileWidth = 400.0, kTileHeight = 300.0, kGap = 8.0, kLabel = 26.0;
-
-cv::Mat DrawGallery() {
-  const Scenario scenario = LoadScenario(DataDirectory() / "scenarios" / "bus.yaml");
-  const Rig rig = LoadRig(FindRig(scenario.rig));
-  const sim::SplineMotion motion(scenario.motion, scenario.seed);
-  sim::World world(
-      scenes::PrepareScene(scenario.scene.name, scenario.scene.seed, CacheDirectory()));
-  const sim::RayScene rays(world);
-  sim::ImageSensorConfig image = scenario.sensors.image;
-  image.color = true;
-
-  const double width = kMoments.size() * (kTileWidth + kGap) + kGap;
-  const double height =
-      static_cast<double>(Conditions().size()) * (kTileHeight + kLabel + kGap) + kGap;
-  report::Canvas canvas(static_cast<int>(width), static_cast<int>(height), report::kPaper);
-  double y = kGap;
-  for (const Condition& condition : Conditions()) {
-    sim::WaterConfig water = scenario.water;
-    condition.set(water);
-    sim::StereoCamera camera({motion, world, rays, motion.End()}, rig.stereo, water, image, false,
-                             sim::RendererBackend::kAuto, scenario.seed);
-    canvas.Text(condition.label, {kGap, y + 18.0}, 11.0, report::kInk);
-    y += kLabel;
-    double x = kGap;
-    for (const double moment : kMoments) {
-      const StereoFrame frame = camera.Look(motion.At(Time::FromSeconds(moment)).T_WI, nullptr);
-      canvas.Picture(frame.images[0], {x, y, kTileWidth, kTileHeight});
-      x += kTileWidth + kGap;
-    }
-    y += kTileHeight + kGap;
-  }
-  return canvas.Finish();
-}
 
 }  // namespace
 
 void WriteGallery(const std::filesystem::path& path) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", DrawGallery(), bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
-  WriteFileAtomically(path, std::string(bytes.begin(), bytes.end()));
+  BusViews views;
+  std::vector<PictureRow> rows;
+  for (const Condition& condition : Conditions()) {
+    sim::WaterConfig water = views.water();
+    condition.set(water);
+    rows.push_back({condition.label, views.LeftImages(water, true, kMoments)});
+  }
+  WritePictureRows(path, rows);
 }
 
 }  // namespace drydock
