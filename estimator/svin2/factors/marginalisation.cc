@@ -125,24 +125,13 @@ Factorised Factorise(const Eigen::MatrixXd& H) {
   return factorised;
 }
 
-/// The rows outside [at, at + size) that the columns [at, at + size) of H touch.
-std::vector<int> CoupledRows(const Eigen::MatrixXd& H, int at, int size) {
-  std::vector<int> rows;
-  for (int row = 0; row < H.rows(); ++row) {
-    const bool own = row >= at && row < at + size;
-    if (!own && (H.row(row).segment(at, size).array() != 0.0).any()) rows.push_back(row);
-  }
-  return rows;
-}
-
 /// Minimises over the tangent [at, at + size); its rows and columns of H become 0.
 void Eliminate(NormalEquations& normal, int at, int size) {
-  const std::vector<int> rows = CoupledRows(normal.H, at, size);
   const Eigen::MatrixXd inverse = Factorise(normal.H.block(at, at, size, size)).inverse;
-  const Eigen::MatrixXd coupling =
-      normal.H.middleCols(at, size)(rows, Eigen::all) * inverse.transpose();
-  normal.H(rows, rows) -= coupling * coupling.transpose();
-  normal.b(rows) -= coupling * (inverse * normal.b.segment(at, size));
+  const Eigen::MatrixXd coupling = normal.H.middleCols(at, size) * inverse.transpose();
+  const Eigen::VectorXd right = inverse * normal.b.segment(at, size);
+  normal.b.noalias() -= coupling * right;
+  normal.H.noalias() -= coupling * coupling.transpose();
   normal.H.middleCols(at, size).setZero();
   normal.H.middleRows(at, size).setZero();
 }
@@ -199,11 +188,7 @@ void AddWithoutLandmark(std::span<const BlockValues> blocks, std::span<const Mar
     members.insert(terms[k].blocks.begin(), terms[k].blocks.end());
   NormalEquations local(blocks, {members.begin(), members.end()});
   for (const std::size_t k : of_landmark) AddTerm(blocks, terms[k], local);
-  const int at = local.OffsetOf(landmark);
-  const Eigen::MatrixXd inverse = Factorise(local.H.block(at, at, 3, 3)).inverse;
-  const Eigen::MatrixXd coupling = local.H.middleCols(at, 3) * inverse.transpose();
-  local.H.noalias() -= coupling * coupling.transpose();
-  local.b.noalias() -= coupling * (inverse * local.b.segment(at, 3));
+  Eliminate(local, local.OffsetOf(landmark), TangentSize(blocks[landmark]));
   for (const std::size_t i : local.members) {
     if (i == landmark) continue;
     const int to_i = normal.OffsetOf(i), from_i = local.OffsetOf(i), rows = TangentSize(blocks[i]);

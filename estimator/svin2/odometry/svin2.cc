@@ -26,9 +26,8 @@ StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
 }
 
 /// The initialiser expects of the biases what the window does, where the sheet says it.
-InitialiserConfig InitialiserOf(const ImuSheet& sheet, const Svin2Config& config) {
-  InitialiserConfig initialiser = config.initialiser;
-  const SpeedBiasSigmas sigmas = StartSigmasOf(sheet, config.start).speed_bias;
+InitialiserConfig InitialiserOf(const ImuSheet& sheet, const SpeedBiasSigmas& sigmas,
+                                InitialiserConfig initialiser) {
   if (sheet.gyro_turn_on_bias > 0.0) initialiser.gyro_bias_sigma = sigmas.gyro_bias;
   if (sheet.accel_turn_on_bias > 0.0) initialiser.accel_bias_sigma = sigmas.accel_bias;
   return initialiser;
@@ -48,8 +47,8 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       start_sigmas_(StartSigmasOf(rig.imu, config.start)),
       tracker_(std::move(tracker)),
       imu_(NoiseModelOf(rig.imu, config.imu_noise_inflation)),
-      initialiser_(InitialiserOf(rig.imu, config), rig.stereo, imu_.noise(),
-                   InitialisersDepth(rig, config)),
+      initialiser_(InitialiserOf(rig.imu, start_sigmas_.speed_bias, config.initialiser), rig.stereo,
+                   imu_.noise(), InitialisersDepth(rig, config)),
       depths_(rig.depth, config.depth_gate),
       monitor_(config.tracking),
       habit_(config.habit),

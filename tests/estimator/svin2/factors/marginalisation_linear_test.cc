@@ -178,7 +178,7 @@ TEST(MarginalisationLinear, WhatIsUnknownStaysUnknown) {
   EXPECT_NEAR(both.error.squaredNorm(), 5.0, 1e-12);
 }
 
-// Two places are 0.1 mm sure of each other and 30 m of the origin: nine orders of magnitude apart
+// Two places are 0.1 mm sure of each other and 30 m of the origin: eleven orders of magnitude apart
 // in information, and both kept.
 TEST(MarginalisationLinear, KeepsWhatIsHardlyKnownBesideWhatIsKnownWell) {
   constexpr double kFar = 30.0, kNear = 1e-4;
