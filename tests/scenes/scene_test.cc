@@ -7,17 +7,19 @@
 
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::scenes {
 namespace {
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
+using ::testing::HasSubstr;
 
 /// An empty folder of this test's own.
 fs::path FreshFolder() {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   fs::path folder =
-      fs::path(testing::TempDir()) / (std::string("drydock_scene_test_") + info->name());
+      fs::path(::testing::TempDir()) / (std::string("drydock_scene_test_") + info->name());
   fs::remove_all(folder);
   return folder;
 }
@@ -44,13 +46,10 @@ TEST(PrepareScene, GeneratesOnceASeed) {
 
 TEST(PrepareScene, UnknownNameTellsWhatThereIs) {
   int calls = 0;
-  try {
-    PrepareScene(CountingScene(calls), "puddle", 1, FreshFolder());
-    FAIL() << "found a puddle";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("puddle"));
-    EXPECT_THAT(error.what(), HasSubstr("pond"));
-  }
+  const std::string error =
+      InputErrorOf([&] { PrepareScene(CountingScene(calls), "puddle", 1, FreshFolder()); });
+  EXPECT_THAT(error, HasSubstr("puddle"));
+  EXPECT_THAT(error, HasSubstr("pond"));
 }
 
 TEST(PrepareScene, InterruptedGenerationLeavesNothing) {

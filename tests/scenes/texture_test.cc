@@ -10,9 +10,12 @@
 #include "scenes/texture/stamps.h"
 #include "scenes/texture/weathering.h"
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::scenes {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 bool SameBytes(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0.0;
@@ -109,12 +112,8 @@ TEST(Weathering, IsDeterministic) {
 }
 
 TEST(WritePng, ErrorNamesTheFile) {
-  try {
-    WritePng(cv::Mat3b(2, 2), "/nowhere/at/all.png");
-    FAIL() << "wrote into nowhere";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("all.png"), std::string::npos);
-  }
+  const std::string error = InputErrorOf([&] { WritePng(cv::Mat3b(2, 2), "/nowhere/at/all.png"); });
+  EXPECT_NE(std::string(error).find("all.png"), std::string::npos);
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 TEST(Registry, EveryEstimatorCanBeMade) {
   std::set<std::string_view> names;
@@ -21,12 +24,9 @@ TEST(Registry, EveryEstimatorCanBeMade) {
 
 TEST(Registry, DeadReckoningTakesNoOptions) {
   const YamlNode options = ParseYaml("\nfrontend: {preprocess: false}\n", "dive.yaml");
-  try {
-    FindEstimator("dead-reckoning").make(Rig{}, options);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "dive.yaml:2: unknown key 'frontend'; known here: none");
-  }
+  const std::string error =
+      InputErrorOf([&] { FindEstimator("dead-reckoning").make(Rig{}, options); });
+  EXPECT_EQ(error, "dive.yaml:2: unknown key 'frontend'; known here: none");
 }
 
 TEST(Registry, EveryEstimatorTakesItsOptionsOnARobot) {
@@ -43,12 +43,8 @@ TEST(Registry, WhatIsSaidCountsOnARobotToo) {
 }
 
 TEST(Registry, UnknownNamesAreRefusedWithTheKnownOnes) {
-  try {
-    FindEstimator("orb-slam");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("dead-reckoning"));
-  }
+  const std::string error = InputErrorOf([&] { FindEstimator("orb-slam"); });
+  EXPECT_THAT(error, ::testing::HasSubstr("dead-reckoning"));
 }
 
 }  // namespace

@@ -6,24 +6,24 @@
 #include "scenarios/dataset/euroc_reader.h"
 #include "sensors_models/base/check.h"
 #include "tests/scenarios/dataset/euroc_support.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::dataset {
 namespace {
 
+using drydock::testing::InputErrorOf;
+
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 /// Everything in the recording, images and truth too; the error's message or "".
 std::string ReadAll(const fs::path& target) {
-  try {
+  return InputErrorOf([&] {
     const EurocReader reader(target);
     for (std::size_t i = 0; i < reader.size(); ++i) reader.Read(i);
     reader.ReadTruth();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 struct Break {
@@ -35,7 +35,7 @@ struct Break {
   const char* says;
 };
 
-class EurocBroken : public RecordingTest, public testing::WithParamInterface<Break> {};
+class EurocBroken : public RecordingTest, public ::testing::WithParamInterface<Break> {};
 
 TEST_P(EurocBroken, IsNamedWithFileAndLine) {
   Record(SmallDive());
@@ -46,7 +46,7 @@ TEST_P(EurocBroken, IsNamedWithFileAndLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     Edits, EurocBroken,
-    testing::Values(
+    ::testing::Values(
         Break{"ImuColumns", "imu0/data.csv", "\n1600000000050000000,", "\n1600000000050000000,1,",
               "imu0/data.csv:3", "8 fields"},
         Break{"ImuNan", "imu0/data.csv", "\n1600000000050000000,", "\n1600000000050000000,nan,",

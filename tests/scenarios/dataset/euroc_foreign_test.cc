@@ -5,13 +5,16 @@
 #include "scenarios/dataset/euroc_reader.h"
 #include "sensors_models/base/check.h"
 #include "tests/scenarios/dataset/euroc_support.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::dataset {
 namespace {
 
+using drydock::testing::InputErrorOf;
+
 namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 class EurocForeign : public RecordingTest {
  protected:
@@ -32,7 +35,7 @@ class EurocForeign : public RecordingTest {
 
 TEST_F(EurocForeign, NeedsCamerasAndImuAlone) {
   const EurocReader reader = Open();
-  EXPECT_THAT(warnings_, testing::IsEmpty());
+  EXPECT_THAT(warnings_, ::testing::IsEmpty());
   EXPECT_FALSE(reader.rig().HasSonar());
   EXPECT_FALSE(reader.rig().HasDepth());
   EXPECT_EQ(reader.rig().name, "dive");
@@ -122,13 +125,9 @@ TEST_F(EurocForeign, EquidistantLensesAreRead) {
 
 TEST_F(EurocForeign, OtherDistortionModelsAreAClearError) {
   Edit("cam0/sensor.yaml", "radial-tangential", "fov");
-  try {
-    Open();
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("cam0/sensor.yaml:14"), HasSubstr("is fov"),
-                                    HasSubstr("one of radial-tangential, equidistant")));
-  }
+  const std::string error = InputErrorOf([&] { Open(); });
+  EXPECT_THAT(error, AllOf(HasSubstr("cam0/sensor.yaml:14"), HasSubstr("is fov"),
+                           HasSubstr("one of radial-tangential, equidistant")));
 }
 
 }  // namespace

@@ -10,12 +10,15 @@
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 #include "sensors_models/base/random_stream.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::dataset {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 Trajectory RandomTrajectory(int count) {
   RandomStream random(1, "tum");
@@ -53,7 +56,7 @@ TEST(Tum, WritesSingleSpacesAndNoneAtTheEnd) {
 }
 
 TEST(Tum, FilesGoBothWays) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "drydock_tum_test/t.tum";
+  const auto path = std::filesystem::path(::testing::TempDir()) / "drydock_tum_test/t.tum";
   WriteTum(path, RandomTrajectory(3));
   EXPECT_EQ(ReadTum(path).size(), 3U);
   std::filesystem::remove_all(path.parent_path());
@@ -91,44 +94,39 @@ struct Broken {
   const char* says;
 };
 
-class BrokenTum : public testing::TestWithParam<Broken> {};
+class BrokenTum : public ::testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenTum, IsNamedWithFileAndLine) {
   const std::string text =
       std::string("# header\n1 0 0 0 0 0 0 1\n") + GetParam().line + "\n9 0 0 0 0 0 0 1\n";
-  try {
-    ParseTum(text, "t.tum");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("t.tum:3: "), HasSubstr(GetParam().says)));
-  }
+  const std::string error = InputErrorOf([&] { ParseTum(text, "t.tum"); });
+  EXPECT_THAT(error, AllOf(HasSubstr("t.tum:3: "), HasSubstr(GetParam().says)));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Lines, BrokenTum,
-    testing::Values(Broken{"SevenValues", "2 0 0 0 0 0 1", "7 values"},
-                    Broken{"NineValues", "2 0 0 0 0 0 0 1 5", "9 values"},
-                    Broken{"OneValue", "2", "1 values"},
-                    Broken{"Commas", "2,0,0,0,0,0,0,1", "1 values"},
-                    Broken{"Word", "2 0 zero 0 0 0 0 1", "ty is 'zero'"},
-                    Broken{"Nan", "2 nan 0 0 0 0 0 1", "tx is 'nan'"},
-                    Broken{"NanQuaternion", "2 0 0 0 0 0 0 nan", "qw is 'nan'"},
-                    Broken{"Inf", "2 0 0 inf 0 0 0 1", "tz is 'inf'"},
-                    Broken{"Overflow", "2 0 0 1e999 0 0 0 1", "tz is '1e999'"},
-                    Broken{"Hex", "2 0x1 0 0 0 0 0 1", "tx is '0x1'"},
-                    Broken{"DecimalComma", "2 0,5 0 0 0 0 0 1", "tx is '0,5'"},
-                    Broken{"ZeroQuaternion", "2 0 0 0 0 0 0 0", "length is 0"},
-                    Broken{"LongQuaternion", "2 0 0 0 0 0 0 1.01", "length is 1.01"},
-                    Broken{"HugeQuaternion", "2 0 0 0 1e200 0 0 1e200", "qx is '1e200'"},
-                    Broken{"SameTime", "1 0 0 0 0 0 0 1", "later than the 1.000000000"},
-                    Broken{"SameTimeOtherwiseWritten", "1.0000000001 0 0 0 0 0 0 1", "later than"},
-                    Broken{"EarlierTime", "0.5 0 0 0 0 0 0 1", "t is 0.500000000"},
-                    Broken{"TimeNan", "nan 0 0 0 0 0 0 1", "t is 'nan'"},
-                    Broken{"TimeInNanoseconds", "1403636579763555584 0 0 0 0 0 0 1",
-                           "seconds within"},
-                    Broken{"TimeWord", "two 0 0 0 0 0 0 1", "t is 'two'"},
-                    Broken{"TrailingComment", "2 0 0 0 0 0 0 1 # ok", "10 values"},
-                    Broken{"Binary", "\x01\xfe\xff", "1 values"}),
+    ::testing::Values(
+        Broken{"SevenValues", "2 0 0 0 0 0 1", "7 values"},
+        Broken{"NineValues", "2 0 0 0 0 0 0 1 5", "9 values"}, Broken{"OneValue", "2", "1 values"},
+        Broken{"Commas", "2,0,0,0,0,0,0,1", "1 values"},
+        Broken{"Word", "2 0 zero 0 0 0 0 1", "ty is 'zero'"},
+        Broken{"Nan", "2 nan 0 0 0 0 0 1", "tx is 'nan'"},
+        Broken{"NanQuaternion", "2 0 0 0 0 0 0 nan", "qw is 'nan'"},
+        Broken{"Inf", "2 0 0 inf 0 0 0 1", "tz is 'inf'"},
+        Broken{"Overflow", "2 0 0 1e999 0 0 0 1", "tz is '1e999'"},
+        Broken{"Hex", "2 0x1 0 0 0 0 0 1", "tx is '0x1'"},
+        Broken{"DecimalComma", "2 0,5 0 0 0 0 0 1", "tx is '0,5'"},
+        Broken{"ZeroQuaternion", "2 0 0 0 0 0 0 0", "length is 0"},
+        Broken{"LongQuaternion", "2 0 0 0 0 0 0 1.01", "length is 1.01"},
+        Broken{"HugeQuaternion", "2 0 0 0 1e200 0 0 1e200", "qx is '1e200'"},
+        Broken{"SameTime", "1 0 0 0 0 0 0 1", "later than the 1.000000000"},
+        Broken{"SameTimeOtherwiseWritten", "1.0000000001 0 0 0 0 0 0 1", "later than"},
+        Broken{"EarlierTime", "0.5 0 0 0 0 0 0 1", "t is 0.500000000"},
+        Broken{"TimeNan", "nan 0 0 0 0 0 0 1", "t is 'nan'"},
+        Broken{"TimeInNanoseconds", "1403636579763555584 0 0 0 0 0 0 1", "seconds within"},
+        Broken{"TimeWord", "two 0 0 0 0 0 0 1", "t is 'two'"},
+        Broken{"TrailingComment", "2 0 0 0 0 0 0 1 # ok", "10 values"},
+        Broken{"Binary", "\x01\xfe\xff", "1 values"}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

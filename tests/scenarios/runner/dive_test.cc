@@ -8,9 +8,12 @@
 #include "scenarios/scoring/loops.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/resources.h"
+#include "tests/support/input_error.h"
 
 namespace drydock {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 Scenario Bus(const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> all = {"sensors={stereo: {enabled: false}}"};
@@ -19,12 +22,9 @@ Scenario Bus(const std::vector<std::string>& overrides = {}) {
 }
 
 void ExpectRefused(const std::vector<std::string>& overrides, const std::string& because) {
-  try {
-    const Dive dive(Bus(overrides), sim::RendererBackend::kAuto);
-    ADD_FAILURE() << "not refused: " << because;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(because));
-  }
+  const std::string error =
+      InputErrorOf([&] { const Dive dive(Bus(overrides), sim::RendererBackend::kAuto); });
+  EXPECT_THAT(error, ::testing::HasSubstr(because));
 }
 
 TEST(Dive, EveryShippedPathIsFree) {

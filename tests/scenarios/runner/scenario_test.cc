@@ -6,10 +6,13 @@
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 #include "sensors_models/base/resources.h"
+#include "tests/support/input_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace drydock {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 constexpr const char* kSmall = R"(summary: A short test
 scene: {name: bus}
@@ -44,7 +47,7 @@ TEST_F(ScenarioTest, DefaultsAreFilledIn) {
   const Scenario scenario = LoadScenario(Write("small.yaml", kSmall));
   EXPECT_EQ(scenario.name, "small");
   EXPECT_EQ(scenario.seed, 1U);
-  EXPECT_EQ(scenario.estimator.name, "dead-reckoning");
+  EXPECT_EQ(scenario.estimator.name, "svin2");
   EXPECT_EQ(scenario.estimator.rig, "svin2_v3");
   EXPECT_FALSE(scenario.duration_s);
 }
@@ -117,12 +120,9 @@ TEST_F(ScenarioTest, BrokenOnesAreNamed) {
     const auto path = Write("x.yaml", broken.text);
     const std::vector<std::string> overrides =
         broken.override_.empty() ? std::vector<std::string>{} : std::vector{broken.override_};
-    try {
-      LoadScenario(path, overrides);
-      ADD_FAILURE() << broken.text << broken.override_;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), ::testing::HasSubstr(broken.expected));
-    }
+    EXPECT_THAT(InputErrorOf([&] { LoadScenario(path, overrides); }),
+                ::testing::HasSubstr(broken.expected))
+        << broken.text << broken.override_;
   }
 }
 

@@ -11,12 +11,15 @@
 #include "scenarios/scoring/json.h"
 #include "sensors_models/base/check.h"
 #include "tests/scenarios/scoring/support.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::score {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 RunInfo BusRun() {
@@ -209,12 +212,9 @@ TEST(Judge, RefusesCriteriaThatMakeNoSense) {
 }
 
 std::string ReadCriterionMessage(const std::string& text) {
-  try {
+  return InputErrorOf([&] {
     ReadYaml(ParseYaml(text, "f.yaml"), [](YamlReader& yaml) { return ReadCriterion(yaml); });
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(ReadCriterion, ReadsBoundsAndRefusesTheRest) {

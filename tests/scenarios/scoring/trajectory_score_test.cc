@@ -8,21 +8,14 @@
 #include "scenarios/scoring/json.h"
 #include "sensors_models/base/check.h"
 #include "tests/scenarios/scoring/support.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::score {
 namespace {
 
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
 
-template <typename Act>
-std::string MessageOf(Act act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using ::testing::HasSubstr;
 
 TEST(ScoreTrajectories, PerfectEstimate) {
   const TrajectoryScore score = ScoreTrajectories(Helix(), Helix(), Alignment::kSe3);
@@ -121,20 +114,20 @@ TEST(ScoreTrajectories, ABodyThatRestsHasNoShareOfItsPath) {
   EXPECT_NEAR(*score.metrics.ate_rmse_m, 0.0, 1e-15);
   EXPECT_FALSE(score.metrics.ate_percent.has_value());
   EXPECT_FALSE(score.metrics.final_drift_percent.has_value());
-  EXPECT_THAT(ToJson(score), testing::Not(HasSubstr("nan")));
+  EXPECT_THAT(ToJson(score), ::testing::Not(HasSubstr("nan")));
 }
 
 TEST(ScoreTrajectories, SaysWhyItCannot) {
   const Trajectory truth = Helix();
-  EXPECT_THAT(MessageOf([&] { ScoreTrajectories(truth, {}, Alignment::kSe3); }),
+  EXPECT_THAT(InputErrorOf([&] { ScoreTrajectories(truth, {}, Alignment::kSe3); }),
               HasSubstr("estimated trajectory is empty"));
-  EXPECT_THAT(MessageOf([&] { ScoreTrajectories({}, truth, Alignment::kSe3); }),
+  EXPECT_THAT(InputErrorOf([&] { ScoreTrajectories({}, truth, Alignment::kSe3); }),
               HasSubstr("true trajectory is empty"));
   Trajectory later = truth;
   for (StampedPose& pose : later) pose.t.ns += 100 * kNanosecondsPerSecond;
-  EXPECT_THAT(MessageOf([&] { ScoreTrajectories(truth, later, Alignment::kSe3); }),
+  EXPECT_THAT(InputErrorOf([&] { ScoreTrajectories(truth, later, Alignment::kSe3); }),
               AllOf(HasSubstr("clocks"), HasSubstr("100.0"), HasSubstr("within 0.01 s")));
-  EXPECT_THAT(MessageOf([&] {
+  EXPECT_THAT(InputErrorOf([&] {
                 ScoreTrajectories(truth, {truth[0], truth[1]}, Alignment::kSe3);
               }),
               AllOf(HasSubstr("2 associated poses"), HasSubstr("'se3'")));

@@ -6,25 +6,18 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock {
 namespace {
 
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
+
+using ::testing::HasSubstr;
 
 /// The message of the InputError that `act` throws; "" if it throws none.
-template <typename Act>
-std::string MessageOf(Act act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string ParseMessage(std::string_view text) {
-  return MessageOf([&] { ParseYaml(text, "f.yaml"); });
+  return InputErrorOf([&] { ParseYaml(text, "f.yaml"); });
 }
 
 bool SameTree(const YamlNode& a, const YamlNode& b) {
@@ -119,7 +112,7 @@ TEST(ParseYaml, RefusesWhatIsNotUtf8) {
         std::string_view("\xc3"), std::string_view("\xc3("), std::string_view("\xc0\x80"),
         std::string_view("\xe2\x82"), std::string_view("\xf8\x88\x80\x80\x80")}) {
     EXPECT_THAT(ParseMessage("a: 1\nb: " + std::string(bad)), HasSubstr("f.yaml:2: is not UTF-8"))
-        << testing::PrintToString(bad);
+        << ::testing::PrintToString(bad);
   }
 }
 
@@ -176,14 +169,14 @@ TEST(SetYaml, RefusesPathsWithoutEnd) {
   YamlNode root = ParseYaml("a: 1\n", "f.yaml");
   std::string path = "x";
   for (int i = 0; i < 40; ++i) path += ".x";
-  EXPECT_THAT(MessageOf([&] { SetYaml(root, path + "=1"); }), HasSubstr("deeper than 32"));
+  EXPECT_THAT(InputErrorOf([&] { SetYaml(root, path + "=1"); }), HasSubstr("deeper than 32"));
 }
 
 TEST(SetYaml, RefusesPathsThatLeadNowhere) {
   YamlNode root = ParseYaml("a: {x: 1}\nlist: [1, 2]\n", "f.yaml");
   for (const char* bad : {"a", "=1", "a.x.y=1", "list.2=1", "list.-1=1", "list.one=1", "a.x=[1",
                           "a.x=*b", ".a=1", "a.=1", "a.x=\"open", "a.x=1\n---\n2"}) {
-    EXPECT_NE(MessageOf([&] { SetYaml(root, bad); }), "") << bad;
+    EXPECT_NE(InputErrorOf([&] { SetYaml(root, bad); }), "") << bad;
   }
 }
 

@@ -7,13 +7,16 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using drydock::testing::InputErrorOf;
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 struct Config {
   double real = 0.0;
@@ -44,12 +47,7 @@ Config Read(const std::string& text) {
 }
 
 std::string MessageOf(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return InputErrorOf([&] { Read(text); });
 }
 
 TEST(YamlReader, ReadsEveryKind) {
@@ -82,7 +80,7 @@ struct Broken {
   std::vector<const char*> parts;  ///< What the message must say.
 };
 
-class YamlReaderRefuses : public testing::TestWithParam<Broken> {};
+class YamlReaderRefuses : public ::testing::TestWithParam<Broken> {};
 
 TEST_P(YamlReaderRefuses, WithPlaceKeyAndWhatIsAllowed) {
   const std::string message = MessageOf(GetParam().text);
@@ -92,7 +90,7 @@ TEST_P(YamlReaderRefuses, WithPlaceKeyAndWhatIsAllowed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, YamlReaderRefuses,
-    testing::Values(
+    ::testing::Values(
         Broken{"integer: 1\n", {"f.yaml", "'real'", "missing"}},
         Broken{"real: 1\nunknown_key: 2\n", {"f.yaml:2", "unknown_key", "real_default"}},
         Broken{"real: 1\nmap:\n  x: 1\n  y: 2\n", {"f.yaml:4", "map.y"}},
@@ -151,13 +149,10 @@ TEST(YamlReader, ASubtreeIsForAReaderOfItsOwn) {
 TEST(YamlReader, RulesThatBindSeveralKeysNameThePlace) {
   const YamlNode root = ParseYaml("m:\n  low: 3\n  high: 2\n", "f.yaml");
   YamlReader yaml(root);
-  try {
-    yaml.Map("m", [](YamlReader& map) { map.Fail("low", "below high"); });
-    FAIL() << "did not throw";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("f.yaml:2"), HasSubstr("m.low is 3"),
-                                    HasSubstr("must be below high")));
-  }
+  const std::string error =
+      InputErrorOf([&] { yaml.Map("m", [](YamlReader& map) { map.Fail("low", "below high"); }); });
+  EXPECT_THAT(error, AllOf(HasSubstr("f.yaml:2"), HasSubstr("m.low is 3"),
+                           HasSubstr("must be below high")));
 }
 
 }  // namespace

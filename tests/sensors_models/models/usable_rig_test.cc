@@ -10,9 +10,12 @@
 
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
+#include "tests/support/input_error.h"
 
 namespace drydock {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 CameraIntrinsics Camera(double k1) {
   CameraIntrinsics camera{200, 200, 100.0, 100.0, 99.5, 99.5, {}};
@@ -26,13 +29,9 @@ CameraIntrinsics Camera(double k1) {
 TEST(UsableRig, FindsWhereTheDistortionFolds) {
   EXPECT_NO_THROW(RequireUsable(Camera(0.0), "here"));
   EXPECT_NO_THROW(RequireUsable(Camera(-0.073), "here"));
-  try {
-    RequireUsable(Camera(-0.077), "here");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("here: the distortion folds over"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("pixel (0, 0)"));
-  }
+  const std::string error = InputErrorOf([&] { RequireUsable(Camera(-0.077), "here"); });
+  EXPECT_THAT(error, ::testing::StartsWith("here: the distortion folds over"));
+  EXPECT_THAT(error, ::testing::HasSubstr("pixel (0, 0)"));
 }
 
 CameraIntrinsics Fisheye(double k1) {
@@ -48,12 +47,8 @@ TEST(UsableRig, FindsWhereAFisheyeFolds) {
   camera.fx = camera.fy = 200.0;
   EXPECT_NO_THROW(RequireUsable(camera, "here"));
   camera.distortion[0] = -0.304;
-  try {
-    RequireUsable(camera, "here");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("here: the distortion folds over"));
-  }
+  const std::string error = InputErrorOf([&] { RequireUsable(camera, "here"); });
+  EXPECT_THAT(error, ::testing::StartsWith("here: the distortion folds over"));
 }
 
 // Of a full fisheye the border looks back: that is no fold. But something must look ahead.
@@ -62,26 +57,18 @@ TEST(UsableRig, AFisheyesBorderMayLookBack) {
   camera.fx = camera.fy = 50.0;  // 114 degrees to the sides.
   EXPECT_NO_THROW(RequireUsable(camera, "here"));
   camera.cx = 199.0;  // The middle of the image looks 114 degrees aside.
-  try {
-    RequireUsable(camera, "here");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("here: the middle of the image looks"));
-  }
+  const std::string error = InputErrorOf([&] { RequireUsable(camera, "here"); });
+  EXPECT_THAT(error, ::testing::HasSubstr("here: the middle of the image looks"));
 }
 
 TEST(UsableRig, NamesTheLensThatFolds) {
   std::string text = ReadFile(FindRig("svin2_v3"));
   const auto left = text.find("radtan:");
   text.replace(left, text.find('\n', left) - left, "equidistant: [-1.5, 0, 0, 0]");
-  const auto file = std::filesystem::path(testing::TempDir()) / "drydock_usable_fisheye.yaml";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "drydock_usable_fisheye.yaml";
   WriteFileAtomically(file, text);
-  try {
-    LoadUsableRig(file);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("stereo.cameras.0.equidistant: the distortion"));
-  }
+  const std::string error = InputErrorOf([&] { LoadUsableRig(file); });
+  EXPECT_THAT(error, ::testing::HasSubstr("stereo.cameras.0.equidistant: the distortion"));
   std::filesystem::remove(file);
 }
 
@@ -91,15 +78,11 @@ TEST(UsableRig, NamesFileAndLine) {
   const auto right = text.rfind("radtan:");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(right), '\n');
   text.replace(right, text.find('\n', right) - right, "radtan: [-1.5, 0, 0, 0]");
-  const auto file = std::filesystem::path(testing::TempDir()) / "drydock_usable_rig.yaml";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "drydock_usable_rig.yaml";
   WriteFileAtomically(file, text);
-  try {
-    LoadUsableRig(file);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format(
-                                  "drydock_usable_rig.yaml:{}: stereo.cameras.1.radtan", line)));
-  }
+  const std::string error = InputErrorOf([&] { LoadUsableRig(file); });
+  EXPECT_THAT(error, ::testing::HasSubstr(
+                         fmt::format("drydock_usable_rig.yaml:{}: stereo.cameras.1.radtan", line)));
   std::filesystem::remove(file);
 }
 

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::sim {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 MotionConfig Read(const std::string& text) {
   const YamlNode root = ParseYaml(text, "m.yaml");
@@ -47,12 +50,8 @@ TEST(MotionConfig, BrokenFilesAreNamed) {
        "sped_m_s"},
   };
   for (const auto& [text, place] : broken) {
-    try {
-      Read(text);
-      FAIL() << text;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), ::testing::HasSubstr(place));
-    }
+    const std::string error = InputErrorOf([&] { Read(text); });
+    EXPECT_THAT(error, ::testing::HasSubstr(place));
   }
 }
 

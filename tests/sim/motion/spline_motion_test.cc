@@ -9,10 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 #include "tests/support/numeric.h"
 
 namespace drydock::sim {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using testing::NumericDerivative;
 
@@ -140,14 +143,12 @@ MotionConfig Line(const std::vector<double>& steps) {
 // times its polygon before the times run out of digits.
 TEST(SplineMotion, RefusesACurveThatSwingsOut) {
   EXPECT_NO_THROW(SplineMotion(Line({1.0, 10.0, 1.0, 10.0}), 1));
-  try {
+  const std::string error = InputErrorOf([&] {
     const SplineMotion motion(Line({1.0, 50.0, 1.0, 50.0}), 1);
-    FAIL() << "a path of " << motion.End().Seconds() << " s";
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find("f.yaml:13: motion.waypoints.4: "), 0U) << message;
-    EXPECT_NE(message.find("at most 2 times the 102 m"), std::string::npos) << message;
-  }
+  });
+  const std::string message = error;
+  EXPECT_EQ(message.find("f.yaml:13: motion.waypoints.4: "), 0U) << message;
+  EXPECT_NE(message.find("at most 2 times the 102 m"), std::string::npos) << message;
 }
 
 // The way round is far longer than the polygon, but the curve settles.

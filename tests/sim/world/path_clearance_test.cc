@@ -5,11 +5,14 @@
 
 #include "sensors_models/base/check.h"
 #include "sim/motion/spline_motion.h"
+#include "tests/support/input_error.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_scene.h"
 
 namespace drydock::sim {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 MotionConfig Straight() {
   MotionConfig config;
@@ -28,23 +31,16 @@ TEST(PathClearance, PassesBesideButNotThrough) {
   const RayScene rays(world);
   const SplineMotion motion(Straight(), 1);
   EXPECT_NO_THROW(RequireClearPath(motion, world, rays, 0.45));
-  try {
-    RequireClearPath(motion, world, rays, 0.55);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::StartsWith("motion: at "));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("'post'"));
-  }
+  const std::string error = InputErrorOf([&] { RequireClearPath(motion, world, rays, 0.55); });
+  EXPECT_THAT(error, ::testing::StartsWith("motion: at "));
+  EXPECT_THAT(error, ::testing::HasSubstr("'post'"));
   const auto place = [&](Time t) {
     return "way-point " + std::to_string(motion.NearestWaypoint(t));
   };
-  try {
-    RequireClearPath(motion, world, rays, 0.55, place);
-    FAIL();
-  } catch (const InputError& error) {
-    // The post is at x = 3; it is met a bit before, nearest to the second way-point at 2.
-    EXPECT_THAT(error.what(), ::testing::StartsWith("way-point 1: at "));
-  }
+  const std::string with_place =
+      InputErrorOf([&] { RequireClearPath(motion, world, rays, 0.55, place); });
+  // The post is at x = 3; it is met a bit before, nearest to the second way-point at 2.
+  EXPECT_THAT(with_place, ::testing::StartsWith("way-point 1: at "));
 }
 
 }  // namespace

@@ -6,11 +6,14 @@
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 #include "sim/world/mujoco_errors.h"
+#include "tests/support/input_error.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_scene.h"
 
 namespace drydock::sim {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 TEST(World, NamesTheBodyOfAGeom) {
   const testing::TemporaryFolder folder;
@@ -26,12 +29,8 @@ TEST(World, BrokenFilesAreNamed) {
   EXPECT_THROW(World(folder.path() / "none.xml"), InputError);
   WriteFileAtomically(folder.path() / "bad.xml",
                       "<mujoco><worldbody><geom type=\"mesh\"/></worldbody></mujoco>");
-  try {
-    const World world(folder.path() / "bad.xml");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("bad.xml"));
-  }
+  const std::string error = InputErrorOf([&] { const World world(folder.path() / "bad.xml"); });
+  EXPECT_THAT(error, ::testing::HasSubstr("bad.xml"));
 }
 
 TEST(MujocoErrors, BecomeExceptions) {

@@ -8,9 +8,12 @@
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/yaml_node.h"
 #include "tests/estimator/svin2/frontend/synthetic_dive.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::svin2 {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using ::testing::HasSubstr;
 
@@ -20,12 +23,7 @@ FeatureTracker::Config Read(const std::string& text) {
 }
 
 std::string MessageOf(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return InputErrorOf([&] { Read(text); });
 }
 
 TEST(FeatureTrackerYaml, NothingSaidIsTheDefault) {

@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "sensors_models/base/check.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::svin2 {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using ::testing::HasSubstr;
 
@@ -17,12 +20,7 @@ Svin2Config Read(const std::string& text) {
 }
 
 std::string ErrorOf(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return InputErrorOf([&] { Read(text); });
 }
 
 TEST(Svin2Config, NothingSaidLeavesTheDefaults) {

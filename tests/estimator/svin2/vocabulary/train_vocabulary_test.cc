@@ -8,9 +8,12 @@
 
 #include "sensors_models/base/check.h"
 #include "tests/estimator/svin2/vocabulary/synthetic_descriptors.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::svin2 {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using testing::Disturbed;
 using testing::RandomDescriptor;
@@ -86,12 +89,8 @@ TEST(TrainVocabulary, KeepsToItsBounds) {
 
 void ExpectRefused(const std::vector<std::vector<Descriptor>>& images,
                    const VocabularyTraining& training, const std::string& why) {
-  try {
-    TrainVocabulary(images, training);
-    FAIL() << "not refused: " << why;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(why));
-  }
+  const std::string error = InputErrorOf([&] { TrainVocabulary(images, training); });
+  EXPECT_THAT(error, ::testing::HasSubstr(why));
 }
 
 TEST(TrainVocabulary, RefusesWhatItCannotUse) {

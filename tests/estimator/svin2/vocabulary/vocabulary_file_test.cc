@@ -10,10 +10,13 @@
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
 #include "tests/estimator/svin2/vocabulary/synthetic_descriptors.h"
+#include "tests/support/input_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace drydock::svin2 {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -21,12 +24,8 @@ using testing::SmallVocabulary;
 using ::testing::StartsWith;
 
 void ExpectRefused(const std::string& content, const std::string& why) {
-  try {
-    ParseVocabulary(content, "a.vocabulary");
-    FAIL() << "not refused: " << why;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(StartsWith("a.vocabulary: "), HasSubstr(why)));
-  }
+  const std::string error = InputErrorOf([&] { ParseVocabulary(content, "a.vocabulary"); });
+  EXPECT_THAT(error, AllOf(StartsWith("a.vocabulary: "), HasSubstr(why)));
 }
 
 const VocabularyTree& SmallTree() {
@@ -50,12 +49,8 @@ TEST(VocabularyFile, IsSmallerThanItsTree) {
 }
 
 TEST(VocabularyFile, NamesTheFileThatIsNotThere) {
-  try {
-    Vocabulary::Load("/nowhere/a.vocabulary");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "/nowhere/a.vocabulary: no such file");
-  }
+  const std::string error = InputErrorOf([&] { Vocabulary::Load("/nowhere/a.vocabulary"); });
+  EXPECT_EQ(error, "/nowhere/a.vocabulary: no such file");
 }
 
 TEST(VocabularyFile, RefusesOtherFiles) {

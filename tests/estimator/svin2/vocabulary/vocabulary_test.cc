@@ -10,9 +10,12 @@
 
 #include "sensors_models/base/check.h"
 #include "tests/estimator/svin2/vocabulary/synthetic_descriptors.h"
+#include "tests/support/input_error.h"
 
 namespace drydock::svin2 {
 namespace {
+
+using drydock::testing::InputErrorOf;
 
 using testing::Disturbed;
 using testing::SmallVocabulary;
@@ -115,12 +118,8 @@ TEST(Vocabulary, TellsPlacesApart) {
 }
 
 void ExpectRefused(const VocabularyTree& tree, const std::string& why) {
-  try {
-    const Vocabulary vocabulary(tree);
-    FAIL() << "not refused: " << why;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(why));
-  }
+  const std::string error = InputErrorOf([&] { const Vocabulary vocabulary(tree); });
+  EXPECT_THAT(error, ::testing::HasSubstr(why));
 }
 
 TEST(Vocabulary, RefusesWhatIsNoTree) {
