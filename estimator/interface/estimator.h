@@ -28,11 +28,19 @@ enum class TrackingStatus {
   kLost,
 };
 
+/// How well the cameras serve, in the latest frame.
+struct VisionHealth {
+  int landmarks_in_view = 0;  ///< Points whose place is being estimated.
+  int tracked_points = 0;     ///< Followed from the frame before.
+  int empty_quadrants = 4;    ///< Of the left image's four.
+};
+
 struct NavEstimate {
   NavState state;
   /// Of [p, alpha], left perturbation [m, rad], in W; where the estimator has one.
   std::optional<Eigen::Matrix<double, 6, 6>> pose_covariance;
   TrackingStatus status = TrackingStatus::kInitialising;
+  std::optional<VisionHealth> vision;  ///< Where the estimator has eyes.
   /// Counts up when the estimator starts afresh, with no known relation to the world frame before.
   int map_id = 0;
   /// Takes the world frame to where it would be without drift, by the loops closed so far; the

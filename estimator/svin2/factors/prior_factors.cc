@@ -10,16 +10,6 @@ Eigen::Matrix<double, 6, 6> PoseWhitening(const Vector6d& sigmas) {
   return sigmas.cwiseInverse().asDiagonal();
 }
 
-Eigen::Matrix<double, 6, 6> GaugeWhitening(double sigma_xy, double sigma_yaw,
-                                           std::optional<double> sigma_z) {
-  Check(sigma_xy > 0.0 && sigma_yaw > 0.0 && sigma_z.value_or(1.0) > 0.0,
-        "standard deviations of a gauge must be above 0");
-  Vector6d weights;
-  weights << 1.0 / sigma_xy, 1.0 / sigma_xy, sigma_z ? 1.0 / *sigma_z : 0.0, 0.0, 0.0,
-      1.0 / sigma_yaw;
-  return weights.asDiagonal();
-}
-
 bool PosePriorFactor::Evaluate(double const* const* parameters, double* residuals,
                                double** jacobians) const {
   const Vector6d error = FromParameters(parameters[0]).BoxMinus(T_WI_);

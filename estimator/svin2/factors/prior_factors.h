@@ -1,8 +1,6 @@
 // What is known of a state beforehand.
 #pragma once
 
-#include <optional>
-
 #include <ceres/sized_cost_function.h>
 
 #include "estimator/svin2/factors/speed_bias.h"
@@ -12,12 +10,6 @@ namespace drydock::svin2 {
 
 /// The square root L^-1 of an information matrix, from standard deviations.
 Eigen::Matrix<double, 6, 6> PoseWhitening(const Vector6d& sigmas);
-
-/// Holds what neither camera nor IMU can see: position and yaw, and leaves roll and pitch free.
-/// `sigma_z` is left out where depth is measured: then height is seen, and a prior on it would
-/// fight the pressure sensor. [m, m, rad], each > 0.
-Eigen::Matrix<double, 6, 6> GaugeWhitening(double sigma_xy, double sigma_yaw,
-                                           std::optional<double> sigma_z = std::nullopt);
 
 /// Parameters: pose T_WI (7). Residual: e = A [p - p0; Log(q q0^-1)], A any 6 x 6 matrix (rows of 0
 /// leave a direction free). Tangent: [dp, da], exp(da) q, in W: the last of the six is yaw.

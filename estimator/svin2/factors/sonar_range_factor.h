@@ -20,8 +20,8 @@ struct SonarRangeObservation {
   /// by 8 mm, of which the velocity's error is a small share.
   Pose T_frame_ping;
   double sigma_range = 0.0;  ///< Standard deviation of the range [m], > 0.
-  /// Of what the patch stands off from the face that gave the echo [m]: its roughness, and the
-  /// uncertainty of landmarks that are held.
+  /// Of what the patch stands off from the face that gave the echo [m]: its roughness, in which
+  /// errors of single landmarks show. What they have in common moves with the anchor.
   double sigma_patch = 0.0;
   /// Landmarks of the patch that are no longer estimated [m, in the body's frame at the anchor].
   std::vector<Eigen::Vector3d> held_landmarks;

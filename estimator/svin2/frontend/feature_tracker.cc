@@ -61,14 +61,6 @@ FeatureTracker::FeatureTracker(const Config& config, const StereoSheet& sheet)
                config.enough_points);
 }
 
-void FeatureTracker::Restart() {
-  tracks_.clear();
-  before_.reset();
-  last_described_.reset();
-  keyframes_.Restart();
-  memory_.Clear();
-}
-
 bool FeatureTracker::IsUsable(const StereoFrame& images) const {
   for (int i = 0; i < 2; ++i) {
     const cv::Mat& image = images.images[i];
@@ -96,17 +88,22 @@ TrackedFrame FeatureTracker::Track(Time t, const StereoFrame& images,
                                    const LandmarkLookup& landmarks) {
   TrackedFrame frame;
   frame.t = t;
-  if (!IsUsable(images)) return frame;
+  if (!IsUsable(images)) {
+    if (prediction && !T_WI_used_) T_WI_used_ = prediction->T_WI_before;
+    return frame;
+  }
+  std::optional<MotionPrediction> motion = prediction;
+  if (motion && T_WI_used_) motion->T_WI_before = *T_WI_used_;
+  T_WI_used_.reset();
   const Pyramids now = MakePyramids(images);
   // Without a pose, cameras are taken to look ahead.
   const Eigen::Vector3d down =
-      prediction.has_value()
-          ? Eigen::Vector3d((prediction->T_WI_now * geometry_.T_IC(0)).q().conjugate() *
-                            -Eigen::Vector3d::UnitZ())
-          : Eigen::Vector3d(Eigen::Vector3d::UnitY());
-  const Context context{now, prediction, landmarks, down};
+      motion.has_value() ? Eigen::Vector3d((motion->T_WI_now * geometry_.T_IC(0)).q().conjugate() *
+                                           -Eigen::Vector3d::UnitZ())
+                         : Eigen::Vector3d(Eigen::Vector3d::UnitY());
+  const Context context{now, motion, landmarks, down};
   if (before_.has_value()) {
-    tracks_ = Follow(context, TrackPredictor(geometry_, prediction, landmarks));
+    tracks_ = Follow(context, TrackPredictor(geometry_, motion, landmarks));
   }
   MatchStereo(now, false, tracks_);
   const auto T_WI = RemoveOutliers(context, t, tracks_);

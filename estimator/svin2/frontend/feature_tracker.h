@@ -77,9 +77,6 @@ class FeatureTracker {
                      const std::optional<MotionPrediction>& prediction,
                      const LandmarkLookup& landmarks);
 
-  /// Forgets all tracks; ids go on.
-  void Restart();
-
  private:
   struct Pyramids {
     ImagePyramid left, right;
@@ -132,6 +129,8 @@ class FeatureTracker {
   std::vector<FeatureTrack> tracks_;  // Sorted by id.
   std::optional<Pyramids> before_;
   std::optional<Time> last_described_;
+  // Where images cannot be used: the body at the last ones that could, for tracks wait there.
+  std::optional<Pose> T_WI_used_;
 };
 
 }  // namespace drydock::svin2

@@ -16,7 +16,6 @@ class KeyframeMemory {
   void Keep(const std::vector<FeatureTrack>& tracks);
   /// Points that are not among `live`, as the newest keyframe that has them saw them; by id.
   std::vector<FeatureTrack> Lost(const std::vector<FeatureTrack>& live) const;
-  void Clear() { keyframes_.clear(); }
 
  private:
   int max_keyframes_;

@@ -81,9 +81,4 @@ bool KeyframeRule::Keep(const std::vector<TrackedPoint>& points) {
   return true;
 }
 
-void KeyframeRule::Restart() {
-  has_keyframe_ = false;
-  keyframe_ = {};
-}
-
 }  // namespace drydock::svin2

@@ -33,8 +33,6 @@ class KeyframeRule {
   /// What the keyframe shows, new corners included. False if it is too little to be one: of
   /// darkness no keyframe is made.
   bool Keep(const std::vector<TrackedPoint>& points);
-  /// As if there never was a keyframe.
-  void Restart();
 
  private:
   struct Seen {

@@ -18,10 +18,11 @@ TrackGate::Verdict TrackGate::Judge(const StereoGeometry& geometry,
     const auto p_W = landmarks ? landmarks(tracks[i].id) : std::nullopt;
     if (!p_W.has_value()) continue;
     has_landmark[i] = true;
-    seen.push_back({*p_W, 0, tracks[i].left});
+    const double scale = OctaveScale(tracks[i].octave);
+    seen.push_back({*p_W, 0, tracks[i].left, scale});
     track_of.push_back(i);
     if (!tracks[i].right.has_value()) continue;
-    seen.push_back({*p_W, 1, *tracks[i].right});
+    seen.push_back({*p_W, 1, *tracks[i].right, scale});
     track_of.push_back(i);
   }
   const auto prior = motion.has_value() ? std::optional(motion->T_WI_now) : std::nullopt;

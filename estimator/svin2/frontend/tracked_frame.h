@@ -34,7 +34,7 @@ struct TrackedFrame {
   std::vector<TrackedPoint> unfollowed;
   // For health:
   int tracked = 0;          ///< Points that were known before this frame.
-  int empty_quadrants = 0;  ///< Of the left image.
+  int empty_quadrants = 4;  ///< Of the left image's four.
 };
 
 }  // namespace drydock::svin2

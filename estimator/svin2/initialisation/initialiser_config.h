@@ -18,8 +18,8 @@ struct InitialiserConfig {
   double stereo_scale_sigma = 0.02;
   /// Waits for a scale this sure while it moves, as long as the window grows.
   double wanted_scale_sigma = 0.025;
-  double gyro_bias_sigma = 0.01;   ///< At turn-on [rad/s].
-  double accel_bias_sigma = 0.05;  ///< At turn-on [m/s^2].
+  double gyro_bias_sigma = 0.01;   ///< At turn-on [rad/s]; only where the IMU's sheet has none.
+  double accel_bias_sigma = 0.05;  ///< At turn-on [m/s^2]; likewise.
   /// Largest squared error, weighed by what was expected of it, per degree of freedom.
   double max_chi2 = 3.0;
   double max_gravity_error = 0.4;    ///< Of its length, where it is free [m/s^2].
@@ -30,7 +30,8 @@ struct InitialiserConfig {
   VisualWindowConfig vision;
 };
 
-/// Reads what `reader` has of the above, by the same names (depth and vision have their defaults).
+/// Reads what `reader` has of the above, by the same names with their units (as
+/// gyro_bias_sigma_rad_s); depth and vision have their defaults.
 InitialiserConfig ReadInitialiserConfig(YamlReader& reader);
 
 }  // namespace drydock::svin2

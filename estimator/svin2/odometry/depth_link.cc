@@ -6,6 +6,12 @@
 #include <fmt/format.h>
 
 namespace drydock::svin2 {
+namespace {
+
+/// Over longer than that a body does not rise evenly: older readings say nothing of a frame.
+constexpr Duration kOldest{1'000'000'000};
+
+}  // namespace
 
 bool DepthLink::Add(Time t, const DepthSample& reading) {
   if (!std::isfinite(reading.depth) || (last_ && t <= *last_)) return false;
@@ -20,6 +26,7 @@ std::vector<EstimatorEvent> DepthLink::Feed(SlidingWindow& window, const ImuBuff
   const NavState state = window.Latest();
   for (; !waiting_.empty() && waiting_.front().t <= state.t; waiting_.pop_front()) {
     const auto& [t, depth] = waiting_.front();
+    if (state.t - t > kOldest) continue;
     const double age = (state.t - t).Seconds();
     const std::vector<TimedImuSample> samples = imu.Between(t, t);
     const Eigen::Vector3d rate_I =

@@ -25,7 +25,8 @@ class DepthLink {
   /// False, and the reading is not kept, if it is not finite or not later than the one before.
   bool Add(Time t, const DepthSample& reading);
 
-  /// Ties the readings up to the window's latest frame to it. What was not believed is said. The
+  /// Ties the readings up to the window's latest frame to it, but for those from long before a
+  /// late start. What was not believed is said. The
   /// first reading finds the surface; if that was a spike, those after it outvote it.
   std::vector<EstimatorEvent> Feed(SlidingWindow& window, const ImuBuffer& imu);
 

@@ -7,17 +7,19 @@
 
 #include <fmt/format.h>
 
-#include "sensors_models/models/sonar_model.h"
-
 namespace drydock::svin2 {
 namespace {
 
 /// A frame waits this long for the IMU samples up to its time.
 constexpr Duration kLongestWait{50'000'000};
+/// Without a frame for this long it goes on by the other sensors.
+constexpr Duration kLongestSilence{500'000'000};
+/// A frame that is later than that comes to nothing, if it is the first one after a silence.
+constexpr Duration kLatestFrame{200'000'000};
 /// Samples this old may still serve an initialisation.
 constexpr Duration kInitialisationSpan{10'000'000'000};
 
-/// Biases at the start are as likely as the sheet says, where it does.
+/// Biases at the start are within twice what the sheet says, where it does.
 StartSigmas StartSigmasOf(const ImuSheet& sheet, const StartSigmas& config) {
   StartSigmas sigmas = config;
   if (sheet.gyro_turn_on_bias > 0.0) sigmas.speed_bias.gyro_bias = 2.0 * sheet.gyro_turn_on_bias;
@@ -50,9 +52,9 @@ Svin2::Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker)
       initialiser_(InitialiserOf(rig.imu, start_sigmas_.speed_bias, config.initialiser), rig.stereo,
                    imu_.noise(), InitialisersDepth(rig, config)),
       depths_(rig.depth, config.depth_gate),
+      sonar_(rig.sonar, config.sonar),
       monitor_(config.tracking),
-      habit_(config.habit),
-      landmark_memory_(Duration::FromSeconds(config.sonar.memory_s)) {}
+      habit_(config.habit) {}
 
 void Svin2::Start(const std::optional<NavState>& known) { known_ = known; }
 
@@ -62,10 +64,11 @@ void Svin2::Add(const Measurement& measurement) {
   } else if (const auto* stereo = std::get_if<StereoFrame>(&measurement.reading)) {
     AddStereo(measurement, *stereo);
   } else if (const auto* depth = std::get_if<DepthSample>(&measurement.reading)) {
-    if (config_.use_depth && !depths_.Add(measurement.t, *depth))
+    if (config_.use_depth && rig_.HasDepth() && !depths_.Add(measurement.t, *depth))
       Refuse(measurement.t, refused_depths_, "a depth reading");
   } else if (const auto* ping = std::get_if<SonarPing>(&measurement.reading)) {
-    if (config_.use_sonar && rig_.HasSonar()) AddPing(measurement.t, *ping);
+    if (config_.use_sonar && rig_.HasSonar() && !sonar_.Add(measurement.t, *ping))
+      Refuse(measurement.t, refused_pings_, "a sonar ping");
   }
   ProcessPending(measurement.t_arrival);
 }
@@ -77,19 +80,6 @@ void Svin2::AddStereo(const Measurement& measurement, const StereoFrame& images)
   }
   last_frame_ = measurement.t;
   frames_.push_back({measurement.t, measurement.t_arrival, images});
-}
-
-void Svin2::AddPing(Time t, const SonarPing& ping) {
-  if (!std::isfinite(ping.range) || !std::isfinite(ping.head_angle) ||
-      (last_ping_ && t <= *last_ping_)) {
-    Refuse(t, refused_pings_, "a sonar ping");
-    return;
-  }
-  last_ping_ = t;
-  // No echo, or one beyond what the paper's authors found to be true.
-  if (ping.range >= rig_.sonar.min_range_m && ping.range <= config_.sonar.max_range_m &&
-      ping.range > 0.0)
-    pings_.push_back({t, ping});
 }
 
 void Svin2::Refuse(Time t, int& count, const char* what) {
@@ -111,6 +101,19 @@ void Svin2::ProcessPending(Time now) {
     Process(frames_.front());
     frames_.pop_front();
   }
+  if (frames_.empty()) SitOutSilence(now);
+}
+
+/// A camera that says nothing sees nothing.
+void Svin2::SitOutSilence(Time now) {
+  if (!window_) {
+    if (!known_) imu_.ForgetBefore(now - kInitialisationSpan);
+    return;
+  }
+  const Time t = *last_tracked_ + kLongestSilence;
+  if (now < t + kLatestFrame || !imu_.Covers(t)) return;
+  last_frame_ = t;
+  Process({t, now, StereoFrame{}});
 }
 
 void Svin2::Process(const PendingFrame& pending) {
@@ -143,7 +146,7 @@ void Svin2::Advance(const PendingFrame& pending) {
   const NavState now = Propagate(before, *imu);
   const TrackedFrame seen = Track(pending, MotionPrediction{before.T_WI, now.T_WI});
   AddFrame(seen, *imu);
-  Publish();
+  Publish(seen);
   if (monitor_.Status() == TrackingStatus::kLost) Initialise(seen);
 }
 
@@ -152,7 +155,7 @@ void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
   window_->AddFrame(seen, imu);
   if (monitor_.Status() == TrackingStatus::kLost) ExpectHabit(seen.t - before.t);
   UseDepths();
-  UsePings(before, window_->Latest());
+  UsePings(before);
   {
     const StageClock::Lap lap(clock_, "optimisation");
     window_->Optimise();
@@ -161,7 +164,7 @@ void Svin2::AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu) {
   window_->Slide();
   const std::vector<Eigen::Vector3d> departed = window_->TakeDeparted();
   for (const Eigen::Vector3d& p_W : departed) landmarks_.push_back({seen.t, p_W});
-  landmark_memory_.Add(seen.t, departed);
+  sonar_.Remember(seen.t, departed);
   NoteKeyframe(seen);
 }
 
@@ -172,7 +175,7 @@ void Svin2::NoteKeyframe(const TrackedFrame& seen) {
   if (last_reported_ && seen.t <= *last_reported_) return;
   last_reported_ = seen.t;
   const StageClock::Lap lap(clock_, "keyframes for loops");
-  Keyframe& keyframe = keyframes_.emplace_back(DescribeKeyframe(*window_, seen, tied_pings_));
+  Keyframe& keyframe = keyframes_.emplace_back(DescribeKeyframe(*window_, seen, sonar_.tied()));
   keyframe.is_glimpse = !seen.is_keyframe;
   if (seen.is_keyframe) ++last_keyframe_;
   keyframe.index = last_keyframe_;
@@ -180,9 +183,12 @@ void Svin2::NoteKeyframe(const TrackedFrame& seen) {
 }
 
 void Svin2::Initialise(const TrackedFrame& seen) {
-  const StageClock::Lap lap(clock_, "initialisation");
   const Time since = last_tracked_.value_or(seen.t - kLongestWait);
-  const auto start = initialiser_.Add(seen, imu_.Between(since, seen.t), depths_.SinceLastFrame());
+  std::optional<InitialisedStart> start;
+  {
+    const StageClock::Lap lap(clock_, "initialisation");
+    start = initialiser_.Add(seen, imu_.Between(since, seen.t), depths_.SinceLastFrame());
+  }
   if (!start) return;
   Say(seen.t, "initialised: " + start->report.Line());
   BeginFrom(*start);
@@ -198,7 +204,7 @@ void Svin2::BeginFrom(const NavState& known, const PendingFrame& pending) {
   UseDepths();
   window_->Optimise();
   NoteKeyframe(seen);
-  Publish();
+  Publish(seen);
 }
 
 void Svin2::BeginFrom(const InitialisedStart& start) {
@@ -221,7 +227,7 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
   window_ = std::make_unique<SlidingWindow>(config_.window, StereoGeometry(rig_.stereo));
   window_->Start(state_of(origin), start_sigmas_, first, ImuBias{});
   UseDepths();
-  tied_pings_.clear();
+  sonar_.StartMap();
   NoteKeyframe(first);
   monitor_.Restart();
   for (std::size_t k = 1; k < start.frames.size(); ++k) {
@@ -230,7 +236,7 @@ void Svin2::BeginFrom(const InitialisedStart& start) {
         imu_.Integrate(before.t, start.frames[k].tracked.t, {before.gyro_bias, before.accel_bias});
     if (imu) AddFrame(start.frames[k].tracked, *imu);
   }
-  Publish();
+  Publish(start.frames.back().tracked);
 }
 
 /// Where a map that begins at `t` with the body at its origin, turned by `q`, is laid in W: as it
@@ -249,83 +255,51 @@ void Svin2::ExpectHabit(Duration since_last) {
   if (const auto sigma = habit_.SigmaEach(since_last)) window_->AddVelocity(habit_.v_I(), *sigma);
 }
 
-void Svin2::UsePings(const NavState& before, const NavState& now) {
+void Svin2::UsePings(const NavState& before) {
   const StageClock::Lap lap(clock_, "sonar");
-  // Pings of one sweep hit the same face: the surest one says what they all say.
-  std::optional<SonarPatch> best;
-  SonarRangeObservation observation;
-  tied_pings_.clear();
-  for (; !pings_.empty() && pings_.front().t <= now.t; pings_.pop_front()) {
-    const auto& [t, ping] = pings_.front();
-    const auto imu = imu_.Integrate(before.t, t, {before.gyro_bias, before.accel_bias});
-    if (!imu) continue;
-    const Pose T_WI = Propagate(before, *imu).T_WI;
-    const Pose T_WS = T_WI * rig_.sonar.T_IS;
-    const PingRay ray{T_WS.p(), T_WS.q() * SonarBeam(ping.head_angle), ping.range};
-    echoes_.push_back({t, ray.head_W + ray.range * ray.direction_W});
-    const auto patch = PatchOf(ray);
-    if (!patch || (best && patch->sigma >= best->sigma)) continue;
-    best = patch;
-    observation.range = ping.range + patch->range_correction;
-    observation.T_frame_ping = now.T_WI.Inverse() * T_WI;
-  }
-  if (!best) return;
-  observation.p_IS = rig_.sonar.T_IS.p();
-  observation.sigma_range = SonarRangeSigma(rig_.sonar);
-  observation.sigma_patch = best->sigma;
-  CheckRigScale(now.t, observation, best->innovation);
-  std::vector<LandmarkId> estimated;
-  std::vector<Eigen::Vector3d> departed;
-  for (const PatchCandidate& member : best->members) {
-    if (member.id) {
-      estimated.push_back(*member.id);
-    } else {
-      departed.push_back(member.p_W);
-    }
-  }
-  if (departed.empty()) tied_pings_.push_back({observation, estimated});
-  window_->AddSonar(observation, estimated, departed);
+  const bool is_tracking = monitor_.Status() == TrackingStatus::kTracking;
+  for (EstimatorEvent& event : sonar_.Feed(*window_, imu_, before, is_tracking))
+    events_.push_back(std::move(event));
 }
 
-void Svin2::CheckRigScale(Time t, const SonarRangeObservation& ping, double innovation) {
-  // Drift in the dark is no matter of the rig.
-  if (monitor_.Status() != TrackingStatus::kTracking) return;
-  rig_scale_.Add(ping.range, innovation, std::hypot(ping.sigma_range, ping.sigma_patch));
-  if (const auto complaint = rig_scale_.Complaint()) Say(t, *complaint);
-}
-
-std::optional<SonarPatch> Svin2::PatchOf(const PingRay& ping) const {
-  const Eigen::Vector3d echo = ping.head_W + ping.range * ping.direction_W;
-  const double radius = PatchRadius(ping, config_.sonar.patch);
-  std::vector<PatchCandidate> candidates;
-  landmark_memory_.ForEachNear(echo, radius, [&](const Eigen::Vector3d& p_W) {
-    candidates.push_back({p_W, std::nullopt});
-  });
-  window_->ForEachLandmark([&](LandmarkId id, const Eigen::Vector3d& p_W) {
-    if ((p_W - echo).squaredNorm() <= radius * radius) candidates.push_back({p_W, id});
-  });
-  return FindSonarPatch(ping, candidates, config_.sonar.patch);
-}
-
-void Svin2::Publish() {
+void Svin2::Publish(const TrackedFrame& seen) {
   NavEstimate estimate;
   estimate.state = window_->Latest();
   {
     const StageClock::Lap lap(clock_, "covariance");
     estimate.pose_covariance = window_->LatestCovariance();
   }
-  estimate.status = monitor_.Update(estimate.state.t, window_->LandmarksInView());
+  const TrackingStatus before = monitor_.Status();
+  estimate.status = monitor_.Update(estimate.state.t, window_->SeesEnough());
+  estimate.vision = {window_->LandmarksInView(), seen.tracked, seen.empty_quadrants};
+  SayStatus(before, estimate);
   if (estimate.status == TrackingStatus::kTracking) habit_.Learn(estimate.state);
   estimate.map_id = map_id_;
   latest_ = estimate;
+  // Where a new map begins, the lost one has published this frame already.
+  if (!odometry_.empty() && odometry_.back().t == estimate.state.t) odometry_.pop_back();
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});
+}
+
+void Svin2::SayStatus(TrackingStatus before, const NavEstimate& now) {
+  if (now.status == before) return;
+  const Time t = now.state.t;
+  if (now.status == TrackingStatus::kDeadReckoning) {
+    Say(t, fmt::format("vision failed ({} landmarks in view, {} of 4 quadrants empty): on by "
+                       "inertia and depth",
+                       now.vision->landmarks_in_view, now.vision->empty_quadrants));
+  } else if (now.status == TrackingStatus::kLost) {
+    Say(t, "lost: too long without vision");
+  } else if (before == TrackingStatus::kDeadReckoning) {
+    Say(t, fmt::format("vision is back ({} landmarks in view)", now.vision->landmarks_in_view));
+  }
 }
 
 EstimatedMap Svin2::Map() const {
   EstimatedMap map;
   const auto position = [](const TimedPoint& point) { return point.p_W; };
   std::ranges::transform(landmarks_, std::back_inserter(map.landmarks), position);
-  std::ranges::transform(echoes_, std::back_inserter(map.sonar), position);
+  std::ranges::transform(Echoes(), std::back_inserter(map.sonar), position);
   return map;
 }
 

@@ -14,10 +14,9 @@
 #include "estimator/svin2/odometry/depth_link.h"
 #include "estimator/svin2/odometry/describe_keyframe.h"
 #include "estimator/svin2/odometry/imu_buffer.h"
+#include "estimator/svin2/odometry/sonar_link.h"
 #include "estimator/svin2/odometry/svin2_config.h"
-#include "estimator/svin2/sonar/landmark_memory.h"
-#include "estimator/svin2/sonar/rig_scale_check.h"
-#include "estimator/svin2/sonar/sonar_patch.h"
+#include "estimator/svin2/odometry/timed_point.h"
 #include "sensors_models/measurement/rig.h"
 
 namespace drydock::svin2 {
@@ -26,15 +25,10 @@ namespace drydock::svin2 {
 using Tracker = std::function<TrackedFrame(
     Time, const StereoFrame&, const std::optional<MotionPrediction>&, const LandmarkLookup&)>;
 
-/// A point of the map and when it was seen last.
-struct TimedPoint {
-  Time t;
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
-};
-
 /// The estimator of the paper, without loop closing. Publishes a pose at each stereo frame, once
-/// the IMU has come up to it. Readings that are not finite, and stamps that are not later than the
-/// one before of the same sensor, are refused and counted.
+/// the IMU has come up to it, and twice a second while no frames come. Readings that are not
+/// finite, and stamps that are not later than the one before of the same sensor, are refused and
+/// counted.
 class Svin2 final : public Estimator {
  public:
   Svin2(const Rig& rig, const Svin2Config& config, Tracker tracker);
@@ -46,7 +40,7 @@ class Svin2 final : public Estimator {
 
   std::optional<NavEstimate> Latest() const override { return latest_; }
   const Trajectory& Odometry() const override { return odometry_; }
-  /// The landmarks of the window.
+  /// The landmarks that have left the window, and the echoes.
   EstimatedMap Map() const override;
   std::vector<EstimatorEvent> TakeEvents() override;
   EstimatorTimings Timings() const override { return clock_.Summary(); }
@@ -56,7 +50,7 @@ class Svin2 final : public Estimator {
   /// Landmarks that have left the window, where they were last.
   const std::vector<TimedPoint>& Landmarks() const { return landmarks_; }
   /// Where the sonar met something.
-  const std::vector<TimedPoint>& Echoes() const { return echoes_; }
+  const std::vector<TimedPoint>& Echoes() const { return sonar_.echoes(); }
 
  private:
   struct PendingFrame {
@@ -64,15 +58,10 @@ class Svin2 final : public Estimator {
     StereoFrame images;
   };
 
-  struct PendingPing {
-    Time t;
-    SonarPing ping;
-  };
-
   void AddStereo(const Measurement& measurement, const StereoFrame& images);
-  void AddPing(Time t, const SonarPing& ping);
   void Refuse(Time t, int& count, const char* what);
   void ProcessPending(Time now);
+  void SitOutSilence(Time now);
   void Process(const PendingFrame& pending);
 
   TrackedFrame Track(const PendingFrame& pending,
@@ -84,12 +73,11 @@ class Svin2 final : public Estimator {
   Pose Placement(Time t, const Eigen::Quaterniond& q) const;
   void AddFrame(const TrackedFrame& seen, const ImuPreintegration& imu);
   void ExpectHabit(Duration since_last);
-  void UsePings(const NavState& before, const NavState& now);
-  void CheckRigScale(Time t, const SonarRangeObservation& ping, double innovation);
-  std::optional<SonarPatch> PatchOf(const PingRay& ping) const;
+  void UsePings(const NavState& before);
   void NoteKeyframe(const TrackedFrame& seen);
   void UseDepths();
-  void Publish();
+  void Publish(const TrackedFrame& seen);
+  void SayStatus(TrackingStatus before, const NavEstimate& now);
   void Say(Time t, std::string message);
 
   Rig rig_;
@@ -100,21 +88,17 @@ class Svin2 final : public Estimator {
   Initialiser initialiser_;
   std::unique_ptr<SlidingWindow> window_;  // Nothing before the first state.
   DepthLink depths_;
+  SonarLink sonar_;
   TrackingMonitor monitor_;
   SwimmingHabit habit_;
 
   std::deque<PendingFrame> frames_;
   std::optional<Time> last_frame_;    // Taken in.
   std::optional<Time> last_tracked_;  // Processed.
-  std::deque<PendingPing> pings_;
-  std::optional<Time> last_ping_;
-  LandmarkMemory landmark_memory_;
-  RigScaleCheck rig_scale_{RigScaleCheck::Config{}};
-  std::vector<TiedPing> tied_pings_;  // To the latest frame.
   std::vector<Keyframe> keyframes_;
   int last_keyframe_ = -1;
   std::optional<Time> last_reported_;  // Of keyframes and glimpses.
-  std::vector<TimedPoint> landmarks_, echoes_;
+  std::vector<TimedPoint> landmarks_;
   std::optional<NavState> known_;
 
   std::optional<NavEstimate> latest_;

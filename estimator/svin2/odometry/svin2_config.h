@@ -1,23 +1,17 @@
-// Everything that SVIn2 can be told.
+// Everything that SVIn2 can be told, in part by options (docs/scenarios.md).
 #pragma once
 
 #include "estimator/svin2/frontend/feature_tracker.h"
 #include "estimator/svin2/initialisation/initialiser_config.h"
 #include "estimator/svin2/odometry/depth_gate.h"
+#include "estimator/svin2/odometry/sonar_link.h"
 #include "estimator/svin2/odometry/swimming_habit.h"
 #include "estimator/svin2/odometry/tracking_monitor.h"
-#include "estimator/svin2/sonar/sonar_patch.h"
 #include "estimator/svin2/window/sliding_window.h"
 #include "sensors_models/base/yaml_node.h"
 #include "sensors_models/base/yaml_reader.h"
 
 namespace drydock::svin2 {
-
-struct SonarConfig {
-  SonarPatchConfig patch;
-  double memory_s = 15.0;    ///< For which landmarks are remembered that left the window.
-  double max_range_m = 4.5;  ///< Echoes from further away are not believed.
-};
 
 struct Svin2Config {
   bool use_sonar = true;
@@ -36,7 +30,8 @@ struct Svin2Config {
   bool report_keyframes = false;  ///< For loop closing; costs a covariance at each keyframe.
 };
 
-/// Reads `options` over `defaults`, strictly: InputError with file, line and key.
+/// Reads `options` over `defaults`, strictly: InputError with file, line and key. `frontend` and
+/// `initialiser`, where they are given, are read over their own defaults.
 Svin2Config ReadSvin2Config(const YamlNode& options, const Svin2Config& defaults);
 /// The same, where the mapping holds more.
 Svin2Config ReadSvin2Config(YamlReader& reader, const Svin2Config& defaults);

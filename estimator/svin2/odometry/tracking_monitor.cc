@@ -2,10 +2,10 @@
 
 namespace drydock::svin2 {
 
-TrackingStatus TrackingMonitor::Update(Time t, int landmarks_in_view) {
+TrackingStatus TrackingMonitor::Update(Time t, bool sees_enough) {
   if (status_ == TrackingStatus::kLost) return status_;
-  if (!last_seen_ || landmarks_in_view >= config_.min_landmarks) last_seen_ = t;
-  if (landmarks_in_view >= config_.min_landmarks) {
+  if (!last_seen_ || sees_enough) last_seen_ = t;
+  if (sees_enough) {
     status_ = TrackingStatus::kTracking;
   } else if ((t - *last_seen_).Seconds() > config_.longest_blindness_s) {
     status_ = TrackingStatus::kLost;

@@ -7,19 +7,18 @@
 
 namespace drydock::svin2 {
 
-/// Vision has failed where too few landmarks are in view. The estimator then carries on by inertia
+/// Vision has failed where a frame sees too few landmarks. The estimator then carries on by inertia
 /// and depth, for as long as that can be trusted; afterwards it is lost, until it starts afresh.
 class TrackingMonitor {
  public:
   struct Config {
-    int min_landmarks = 6;              ///< In view; fewer say too little of a frame.
     double longest_blindness_s = 15.0;  ///< Longer than that, and dead reckoning is not believed.
   };
 
   explicit TrackingMonitor(const Config& config) : config_(config) {}
 
-  /// The next frame, and the landmarks in view there.
-  TrackingStatus Update(Time t, int landmarks_in_view);
+  /// The next frame, and whether it sees landmarks enough.
+  TrackingStatus Update(Time t, bool sees_enough);
   TrackingStatus Status() const { return status_; }
   /// A new map begins.
   void Restart() { *this = TrackingMonitor(config_); }

@@ -14,4 +14,9 @@ struct OdometryLink {
   Eigen::Matrix<double, 6, 6> covariance;
 };
 
+/// The way between two poses of the body, from the covariance of their errors: [p, alpha] of the
+/// one before, then of the one now, left perturbations [m, rad], in W.
+OdometryLink LinkBetween(const Pose& T_W_before, const Pose& T_W_now,
+                         const Eigen::Matrix<double, 12, 12>& covariance);
+
 }  // namespace drydock::svin2

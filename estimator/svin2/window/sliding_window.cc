@@ -342,14 +342,7 @@ std::optional<OdometryLink> SlidingWindow::LinkToKeyframe() const {
   const std::array<BlockId, 2> blocks = {before->pose, now.pose};
   const auto covariance = graph_.CovarianceOf(blocks);
   if (!covariance) return std::nullopt;
-  const Pose T_WA = graph_.PoseOf(before->pose), T_WB = graph_.PoseOf(now.pose);
-  // Of T_AB = T_WA^-1 T_WB by both poses' perturbations, which are in W.
-  const Eigen::Matrix3d R_AW = T_WA.R().transpose();
-  Eigen::Matrix<double, 6, 12> J = Eigen::Matrix<double, 6, 12>::Zero();
-  J.block<3, 3>(0, 0) = J.block<3, 3>(3, 3) = -R_AW;
-  J.block<3, 3>(0, 6) = J.block<3, 3>(3, 9) = R_AW;
-  J.block<3, 3>(0, 3) = R_AW * Skew(T_WB.p() - T_WA.p());
-  return OdometryLink{T_WA.Inverse() * T_WB, J * *covariance * J.transpose()};
+  return LinkBetween(graph_.PoseOf(before->pose), graph_.PoseOf(now.pose), *covariance);
 }
 
 std::optional<Eigen::Vector3d> SlidingWindow::LandmarkPosition(LandmarkId id) const {
@@ -376,8 +369,7 @@ int SlidingWindow::LandmarksSeenBy(const Frame& frame) const {
 }
 
 bool SlidingWindow::IsLastSight(const Frame& frame) const {
-  return LandmarksInView() < config_.min_landmarks &&
-         LandmarksSeenBy(frame) >= config_.min_landmarks;
+  return !SeesEnough() && LandmarksSeenBy(frame) >= config_.min_landmarks;
 }
 
 }  // namespace drydock::svin2

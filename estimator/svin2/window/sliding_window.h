@@ -26,19 +26,19 @@ namespace drydock::svin2 {
 struct WindowConfig {
   int keyframes = 5;      ///< Beside the recent frames.
   int recent_frames = 3;  ///< With velocity and biases.
-  /// Where the latest frame has fewer landmarks in view, those before it stay as keyframes do:
-  /// place and speed at the last sight are what inertia goes on from. They are no keyframes to
-  /// others.
+  /// In view; fewer say too little of a frame. Where the latest sees fewer, those before it stay as
+  /// keyframes do: place and speed at the last sight are what inertia goes on from. They are no
+  /// keyframes to others.
   int min_landmarks = 6;
   SolverLimits solver;
-  double cauchy_scale = 1.0;            ///< Of a keypoint's robust loss, in standard deviations.
+  double cauchy_scale = 1.0;            ///< Of the robust loss of keypoints and ranges, in sigmas.
   double max_reprojection_chi2 = 16.0;  ///< An observation worse than this is taken away.
   TriangulationConfig triangulation;
 };
 
 /// How well the first state is known.
 struct StartSigmas {
-  double position = 1e-4;      ///< Of x and y, and z where there is no depth [m]: defines W.
+  double position = 1e-4;      ///< [m]: defines W, whose height is no pressure sensor's.
   double yaw = 1e-4;           ///< [rad]: defines W.
   double roll_pitch = 0.02;    ///< [rad]
   SpeedBiasSigmas speed_bias;  ///< Of velocity and biases.
@@ -100,6 +100,7 @@ class SlidingWindow {
   int NumFrames() const { return static_cast<int>(frames_.size()); }
   /// Landmarks that the latest frame sees.
   int LandmarksInView() const;
+  bool SeesEnough() const { return LandmarksInView() >= config_.min_landmarks; }
 
  private:
   struct ImuLink {

@@ -51,27 +51,10 @@ TEST(PosePriorFactor, JacobianMatchesDifferences) {
   }
 }
 
-TEST(GaugeWhitening, LeavesRollAndPitchFreeAndHeightIfAsked) {
-  const auto cost = [](const Vector6d& delta, const Eigen::Matrix<double, 6, 6>& whitening) {
-    return testing::Residuals(PosePriorFactor(kPose, whitening),
-                              {Block(ToParameters(kPose.BoxPlus(delta)))})
-        .norm();
-  };
-  const auto with_depth = GaugeWhitening(0.1, 0.01);
-  const auto without = GaugeWhitening(0.1, 0.01, 0.2);
-  const Vector6d up = 0.1 * Vector6d::Unit(2), roll = 0.1 * Vector6d::Unit(3);
-  EXPECT_NEAR(cost(up, with_depth), 0.0, 1e-12);
-  EXPECT_NEAR(cost(up, without), 0.5, 1e-12);
-  EXPECT_NEAR(cost(roll, without), 0.0, 1e-12);
-  EXPECT_NEAR(cost(0.1 * Vector6d::Unit(4), without), 0.0, 1e-12);
-  EXPECT_NEAR(cost(0.1 * Vector6d::Unit(5), with_depth), 10.0, 1e-11);
-  EXPECT_NEAR(cost(0.1 * Vector6d::Unit(0), with_depth), 1.0, 1e-12);
-}
-
-TEST(GaugeWhitening, YawIsAboutTheWorldsVerticalHoweverTheBodyLies) {
+TEST(PosePriorFactor, YawIsAboutTheWorldsVerticalHoweverTheBodyLies) {
   // Turned about W's z by 0.2 rad, and nothing else.
   const Pose turned(ExpSO3({0, 0, 0.2}) * kPose.q(), kPose.p());
-  const PosePriorFactor factor(kPose, GaugeWhitening(1.0, 1.0));
+  const PosePriorFactor factor(kPose, PoseWhitening(Vector6d::Ones()));
   const Eigen::VectorXd e = testing::Residuals(factor, {Block(ToParameters(turned))});
   EXPECT_NEAR(e[5], 0.2, 1e-12);
   EXPECT_NEAR(e.head<5>().norm(), 0.0, 1e-12);
@@ -96,8 +79,6 @@ TEST(SpeedBiasPriorFactor, ValueAndJacobian) {
 
 TEST(Priors, RefuseStandardDeviationsOfZero) {
   EXPECT_THROW(PoseWhitening(Vector6d::Zero()), std::logic_error);
-  EXPECT_THROW(GaugeWhitening(0.1, 0.0), std::logic_error);
-  EXPECT_THROW(GaugeWhitening(0.1, 0.1, 0.0), std::logic_error);
   EXPECT_THROW(SpeedBiasPriorFactor({}, {1.0, 0.0, 1.0}), std::logic_error);
 }
 

@@ -87,8 +87,6 @@ TEST(KeyframeRule, KeepsItsDistance) {
   rule.Keep(Grid(11, 11));
   for (int i = 0; i < 4; ++i) EXPECT_FALSE(rule.Decide(Grid(11, 11)));
   EXPECT_TRUE(rule.Decide(Grid(11, 11)));
-  rule.Restart();
-  EXPECT_TRUE(rule.Decide({}));
 }
 
 TEST(KeyframeRule, DarknessIsNoKeyframeButTheFirstLightIs) {

@@ -52,6 +52,17 @@ TEST_F(Gate, LandmarksTellWhichCameraIsWrong) {
   EXPECT_LT(verdict.T_WI.value().BoxMinus(kNow).norm(), 1e-3);
 }
 
+// Pixels of an octave are larger, and so are errors there.
+TEST_F(Gate, CoarsePointsMayErrByMore) {
+  tracks_[3].left.x() += 6.0;
+  tracks_[3].octave = 2;
+  *tracks_[5].right += Eigen::Vector2d(0.0, 15.0);
+  tracks_[5].octave = 2;
+  const auto verdict = Judge(std::nullopt, all_);
+  EXPECT_TRUE(verdict.left[3]);
+  EXPECT_FALSE(verdict.right[5]);
+}
+
 TEST_F(Gate, WithoutLandmarksTheEpipolarLineDecides) {
   // The body moved to its left, so that lines run nearly along rows: 4 px down are off, 4 px along
   // are another depth.

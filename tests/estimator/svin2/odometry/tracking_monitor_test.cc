@@ -8,23 +8,23 @@ namespace {
 using enum TrackingStatus;
 
 TEST(TrackingMonitor, GoesBlindRecoversAndIsLostInTheEnd) {
-  TrackingMonitor monitor({6, 15.0});
+  TrackingMonitor monitor({15.0});
   EXPECT_EQ(monitor.Status(), kInitialising);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(0), 50), kTracking);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(1), 5), kDeadReckoning);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(2), 6), kTracking);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(17), 0), kDeadReckoning);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(17.1), 0), kLost);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(0), true), kTracking);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(1), false), kDeadReckoning);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(2), true), kTracking);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(17), false), kDeadReckoning);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(17.1), false), kLost);
   // Landmarks seen from a pose that is not believed bring nothing back.
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(18), 100), kLost);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(18), true), kLost);
   monitor.Restart();
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(19), 100), kTracking);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(19), true), kTracking);
 }
 
 TEST(TrackingMonitor, CountsFromTheFirstFrameIfNothingWasEverSeen) {
-  TrackingMonitor monitor({6, 15.0});
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(100), 0), kDeadReckoning);
-  EXPECT_EQ(monitor.Update(Time::FromSeconds(115.1), 0), kLost);
+  TrackingMonitor monitor({15.0});
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(100), false), kDeadReckoning);
+  EXPECT_EQ(monitor.Update(Time::FromSeconds(115.1), false), kLost);
 }
 
 }  // namespace

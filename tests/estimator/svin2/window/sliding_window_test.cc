@@ -126,9 +126,11 @@ TEST(SlidingWindow, CarriesOnByInertiaWithoutPoints) {
   };
   run.RunTo(60);
   EXPECT_EQ(run.window.LandmarksInView(), 0);
+  EXPECT_FALSE(run.window.SeesEnough());
   EXPECT_LT(run.PositionError(60), 5e-3);
   for (int k = 61; k <= 75; ++k) run.Step(k);
   EXPECT_GT(run.window.LandmarksInView(), 30);
+  EXPECT_TRUE(run.window.SeesEnough());
   EXPECT_LT(run.PositionError(75), 5e-3);
 }
 
