@@ -66,7 +66,7 @@ LoopCloser::LoopCloser(const LoopCloserConfig& config, const StereoSheet& sheet,
       graph_(config.graph, worker) {}
 
 void LoopCloser::Add(Keyframe keyframe) {
-  if (keyframe.is_glimpse && !IsLinked(keyframe)) return;
+  if (keyframe.is_glimpse && !(keyframe.link && LinkOf(keyframe))) return;
   BagOfWords bag = vocabulary_->Transform(DescriptorsOf(keyframe), config_.index_level);
   const std::vector<Candidate> candidates = FindCandidates(keyframe, bag);
   const std::optional<Loop> loop = Verify(keyframe, bag, candidates);
@@ -110,7 +110,9 @@ std::vector<LoopCloser::Candidate> LoopCloser::FindCandidates(const Keyframe& no
 
 std::size_t LoopCloser::NumOldEnough(const Keyframe& now) const {
   const Time latest = now.t - Duration::FromSeconds(config_.min_age_s);
-  const auto end = std::ranges::upper_bound(keyframes_, latest, {}, &Keyframe::t);
+  // What a glimpse finds is carried to the last keyframe, which is no loop to itself.
+  const auto last = keyframes_.end() - (now.is_glimpse ? 1 : 0);
+  const auto end = std::ranges::upper_bound(keyframes_.begin(), last, latest, {}, &Keyframe::t);
   return static_cast<std::size_t>(end - keyframes_.begin());
 }
 
@@ -146,17 +148,25 @@ std::optional<LoopCloser::Loop> LoopCloser::Verify(const Keyframe& now, const Ba
   return std::nullopt;
 }
 
-/// Whether odometry ties it to the keyframe before. A new map begins without.
-bool LoopCloser::IsLinked(const Keyframe& now) const {
-  return !keyframes_.empty() && now.link && keyframes_.back().map_id == now.map_id;
+/// How odometry ties it to the keyframe before; a new map begins without. Where the window has
+/// forgotten that one, both are as unsure as if they had nothing in common.
+std::optional<OdometryLink> LoopCloser::LinkOf(const Keyframe& now) const {
+  if (keyframes_.empty() || keyframes_.back().map_id != now.map_id) return std::nullopt;
+  if (now.link) return now.link;
+  const Keyframe& before = keyframes_.back();
+  if (!before.covariance || !now.covariance) return std::nullopt;
+  Eigen::Matrix<double, 12, 12> both = Eigen::Matrix<double, 12, 12>::Zero();
+  both.topLeftCorner<6, 6>() = *before.covariance;
+  both.bottomRightCorner<6, 6>() = *now.covariance;
+  return LinkBetween(before.T_WI, now.T_WI, both);
 }
 
 std::vector<PoseGraphEdge> LoopCloser::EdgesOf(const Keyframe& now,
                                                const std::optional<Loop>& loop) const {
   std::vector<PoseGraphEdge> edges;
-  if (IsLinked(now)) {
-    edges.push_back({keyframes_.back().index, now.index, now.link->T_before_now,
-                     now.link->covariance, EdgeKind::kSequence});
+  if (const auto link = LinkOf(now)) {
+    edges.push_back({keyframes_.back().index, now.index, link->T_before_now, link->covariance,
+                     EdgeKind::kSequence});
   }
   if (loop) {
     edges.push_back({keyframes_[loop->then].index, now.index, loop->found.T_then_now,

@@ -15,7 +15,7 @@
 
 namespace drydock::svin2 {
 
-/// Remembers all keyframes of a dive; memory is linear in their number. Deterministic.
+/// Remembers all keyframes of a dive, some 50 kB each. Deterministic.
 class LoopCloser {
  public:
   /// `worker` optimises the pose graph beside the rest, with the same results; null: in Add().
@@ -51,7 +51,7 @@ class LoopCloser {
   std::optional<Candidate> FindNearby(const Keyframe& now, std::size_t count) const;
   std::optional<Loop> Verify(const Keyframe& now, const BagOfWords& bag,
                              const std::vector<Candidate>& candidates);
-  bool IsLinked(const Keyframe& now) const;
+  std::optional<OdometryLink> LinkOf(const Keyframe& now) const;
   std::vector<PoseGraphEdge> EdgesOf(const Keyframe& now, const std::optional<Loop>& loop) const;
   PoseGraphEdge EdgeOfGlimpse(const Keyframe& now, const Loop& loop) const;
   void Report(const Keyframe& now, const Loop& loop);

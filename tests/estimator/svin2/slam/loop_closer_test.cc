@@ -217,6 +217,28 @@ TEST(LoopCloser, AGlimpseThatNothingTiesIsLeftOut) {
   EXPECT_TRUE(fresh.keyframes().empty() && fresh.graph().nodes().empty());
 }
 
+// Keyframes are rare in haze: the last one may be as old as a loop's must be.
+TEST(LoopCloser, AGlimpseIsNoLoopToTheKeyframeThatItIsCarriedTo) {
+  const Rounds rounds = MakeRounds();
+  const auto closer = Close(rounds);
+  Keyframe glimpse = rounds.keyframes.back();
+  glimpse.is_glimpse = true;
+  glimpse.t = glimpse.t + Duration::FromSeconds(SmallConfig().min_age_s + 1.0);
+  glimpse.link->T_before_now = Pose::Identity();
+  for (KeyframePoint& point : glimpse.points) point.id += 1'000'000;  // All are lost and found.
+  closer->Add(glimpse);
+  for (const PoseGraphEdge& loop : closer->graph().loops()) EXPECT_LT(loop.from, loop.to);
+}
+
+// The window may forget the keyframe before, but not the map: it stays one piece.
+TEST(LoopCloser, IsAsUnsureAsOdometryWhereTheWindowForgotTheKeyframeBefore) {
+  Rounds rounds = MakeRounds();
+  for (const std::size_t k : {20U, 50U}) rounds.keyframes[k].link.reset();
+  const auto closer = Close(rounds);
+  EXPECT_EQ(closer->graph().links().size(), rounds.keyframes.size() - 1);
+  EXPECT_LT(CorrectedError(rounds, *closer), 0.6 * OdometryError(rounds, *closer));
+}
+
 // Were it tracked all the way round, the window would know all about it.
 TEST(LoopCloser, WhatIsStillTrackedIsNoCandidate) {
   const Rounds rounds = MakeRounds({.still_tracked = true});
