@@ -16,7 +16,7 @@
 namespace drydock {
 
 struct ReplayOptions {
-  std::string estimator = "dead-reckoning";  ///< A registered name.
+  std::string estimator = "svin2";  ///< A registered name.
   /// What the estimator believes of the rig: a rig's name or file; by default the recording's own.
   std::string rig;
   /// A mapping that the estimator itself understands; empty for its defaults.

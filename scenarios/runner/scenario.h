@@ -25,7 +25,7 @@ struct SceneChoice {
 };
 
 struct EstimatorChoice {
-  std::string name = "dead-reckoning";
+  std::string name = "svin2";
   /// What the estimator believes of the rig: a rig's name or file; by default the true one.
   std::string rig;
   YamlNode rig_set;  ///< What it believes otherwise: {stereo.rate_hz: 10}.
