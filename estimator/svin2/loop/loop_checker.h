@@ -22,6 +22,11 @@ class LoopChecker {
     LoopVerifier::Config verifier = {};
     Relocaliser::Config relocaliser = {};
     int min_seed_inliers = 10;  ///< Of the matches by looks alone.
+    /// Of a motion that a guess foretold, fewer inliers convince than verifier and relocaliser ask
+    /// for: it agrees with odometry as well.
+    int min_guessed_inliers = 10;
+    double max_guess_error_m = 0.5;  ///< So near it was foretold,
+    double max_guess_error_rad = 0.1;
     /// Up to so many pairs of points all are compared, not only those below the same node of the
     /// vocabulary: in haze noise puts a point below another.
     int max_pairs_without_index = 40'000;
@@ -46,11 +51,18 @@ class LoopChecker {
                        const std::vector<LoopMatch>& matches,
                        const std::optional<Pose>& T_then_now) const;
 
+  /// Decides on points that lie where the motion has them.
+  struct Judge {
+    LoopVerifier verifier;
+    Relocaliser relocaliser;
+  };
+  const Judge& JudgeOf(const Pose& T_then_now, const std::optional<Pose>& guess) const;
+
   Config config_;
   StereoGeometry rig_;
   LoopMatcher matcher_;
-  LoopVerifier seed_verifier_, verifier_;
-  Relocaliser relocaliser_;
+  LoopVerifier seed_verifier_;
+  Judge judge_, judge_of_guessed_;
 };
 
 }  // namespace drydock::svin2

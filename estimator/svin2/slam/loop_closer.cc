@@ -86,11 +86,9 @@ void LoopCloser::Add(Keyframe keyframe) {
 std::vector<LoopCloser::Candidate> LoopCloser::FindCandidates(const Keyframe& now,
                                                               const BagOfWords& bag) {
   const StageClock::Lap lap(clock_, "place recognition");
-  std::vector<Candidate> candidates;
   const std::size_t old_enough = NumOldEnough(now);
-  if (old_enough == 0) return candidates;
-  if (const auto nearby = FindNearby(now, old_enough)) candidates.push_back(*nearby);
-
+  if (old_enough == 0) return {};
+  std::vector<Candidate> candidates = FindNearby(now, old_enough);
   if (config_.max_verified == 0) return candidates;
   const std::vector<PlaceMatch> alike = consistency_.Update(
       places_.LoopCandidates(bag.words, {keyframes_.back().index},
@@ -116,24 +114,29 @@ std::size_t LoopCloser::NumOldEnough(const Keyframe& now) const {
   return static_cast<std::size_t>(end - keyframes_.begin());
 }
 
-std::optional<LoopCloser::Candidate> LoopCloser::FindNearby(const Keyframe& now,
-                                                            std::size_t count) const {
+std::vector<LoopCloser::Candidate> LoopCloser::FindNearby(const Keyframe& now,
+                                                          std::size_t count) const {
   const NearbyRule& rule = config_.nearby;
   const Pose T_GI = graph().T_GW() * now.T_WI;
-  std::optional<Candidate> best;
-  double least = 1.0;  // Of distance and angle, as shares of what is allowed.
+  // By distance and angle, as shares of what is allowed.
+  std::vector<std::pair<double, Candidate>> near;
   for (std::size_t k = 0; k < count; ++k) {
     const Keyframe& then = keyframes_[k];
     const Pose T_then_now = graph().T_GI()[k].Inverse() * T_GI;
     const double apart = std::max(T_then_now.p().norm() / rule.max_distance_m,
                                   LogSO3(T_then_now.q()).norm() / rule.max_angle_rad);
-    if (apart >= least || DriftSigma(then, now) > rule.max_drift_sigma_m ||
+    if (apart >= 1.0 || DriftSigma(then, now) > rule.max_drift_sigma_m ||
         NumShared(then, now) > config_.max_tracked)
       continue;
-    least = apart;
-    best = Candidate{k, T_then_now};
+    near.emplace_back(apart, Candidate{k, T_then_now});
   }
-  return best;
+  std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
+  std::vector<Candidate> candidates;
+  for (const auto& [apart, candidate] : near) {
+    if (std::ssize(candidates) == rule.max_candidates) break;
+    candidates.push_back(candidate);
+  }
+  return candidates;
 }
 
 std::optional<LoopCloser::Loop> LoopCloser::Verify(const Keyframe& now, const BagOfWords& bag,

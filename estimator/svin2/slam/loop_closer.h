@@ -48,7 +48,7 @@ class LoopCloser {
   /// How many keyframes, from the first on, may be candidates.
   std::size_t NumOldEnough(const Keyframe& now) const;
   std::vector<Candidate> FindCandidates(const Keyframe& now, const BagOfWords& bag);
-  std::optional<Candidate> FindNearby(const Keyframe& now, std::size_t count) const;
+  std::vector<Candidate> FindNearby(const Keyframe& now, std::size_t count) const;
   std::optional<Loop> Verify(const Keyframe& now, const BagOfWords& bag,
                              const std::vector<Candidate>& candidates);
   std::optional<OdometryLink> LinkOf(const Keyframe& now) const;

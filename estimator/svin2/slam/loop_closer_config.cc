@@ -9,6 +9,8 @@ void ReadNearby(YamlReader& reader, NearbyRule& nearby) {
   nearby.max_angle_rad = reader.Real("max_angle_rad", Bounds::NotNegative(), nearby.max_angle_rad);
   nearby.max_drift_sigma_m =
       reader.Real("max_drift_sigma_m", Bounds::NotNegative(), nearby.max_drift_sigma_m);
+  nearby.max_candidates =
+      static_cast<int>(reader.Integer("max_candidates", {0, 1000}, nearby.max_candidates));
 }
 
 }  // namespace
@@ -31,6 +33,8 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);
   config.check.relocaliser.min_inliers = config.check.verifier.min_inliers;
+  config.check.min_guessed_inliers =
+      integer("min_guessed_inliers", 4, 1000, config.check.min_guessed_inliers);
   config.graph.delay_keyframes = integer("delay_keyframes", 0, 1000, config.graph.delay_keyframes);
   config.graph.options.identity_weights =
       reader.Boolean("identity_weights", config.graph.options.identity_weights);

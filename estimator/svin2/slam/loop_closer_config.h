@@ -15,7 +15,8 @@ struct NearbyRule {
   double max_distance_m = 1.5;
   double max_angle_rad = 0.5;
   /// Odometry is asked only while it cannot have drifted by more than this since [m].
-  double max_drift_sigma_m = 0.1;
+  double max_drift_sigma_m = 0.3;
+  int max_candidates = 6;  ///< The nearest.
 };
 
 struct LoopCloserConfig {

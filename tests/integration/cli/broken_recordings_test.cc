@@ -13,8 +13,8 @@ class BrokenRecording : public BrokenFilesTest {
 
 TEST_P(BrokenRecording, IsRefused) { ExpectRefusal(GetParam()); }
 
-const std::vector<std::string> kEstimate = {"estimate", "@glide", "--start-from-truth", "-o",
-                                            "result"};
+const std::vector<std::string> kEstimate = {
+    "estimate", "@glide", "--estimator", "dead-reckoning", "--start-from-truth", "-o", "result"};
 
 Broken File(const char* name, const std::string& file, How how, const std::string& says) {
   return {name, kEstimate, "glide/mav0/" + file, std::move(how), {"@glide/mav0/" + says}};
@@ -123,11 +123,13 @@ const Broken kOptions[] = {
             "estimator is crystal-ball, must be one of dead-reckoning"),
     Options("UnknownRig", {"@glide", "--start-from-truth", "--rig", "trireme", "-o", "result"},
             "rig is trireme, must be one of svin2_v3, or a path"),
-    Options("UnknownOption", {"@glide", "--start-from-truth", "--set", "glow=3", "-o", "result"},
+    Options("UnknownOption",
+            {"@glide", "--estimator", "dead-reckoning", "--start-from-truth", "--set", "glow=3",
+             "-o", "result"},
             "--set glow=3: unknown key 'glow'; known here: none"),
     Options("OptionWithoutValue", {"@glide", "--set", "glow", "-o", "result"},
             "--set glow: must be key.path=value"),
-    Options("NoStart", {"@glide", "-o", "result"},
+    Options("NoStart", {"@glide", "--estimator", "dead-reckoning", "-o", "result"},
             "dead-reckoning has to be told where it starts; --start-from-truth"),
     Options("NoOutput", {"@glide"}, "--output is required"),
     Options("OutputIsAFile", {"@glide", "--start-from-truth", "-o", "@glide/mav0/body.yaml"},

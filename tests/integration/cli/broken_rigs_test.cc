@@ -56,7 +56,8 @@ TEST_P(BrokenRig, IsRefused) { ExpectRefusal(GetParam()); }
 
 Broken Rig(const char* name, How how, const std::string& says) {
   return {name,
-          {"estimate", "@glide", "--start-from-truth", "--rig", "@rig.yaml", "-o", "result"},
+          {"estimate", "@glide", "--estimator", "dead-reckoning", "--start-from-truth", "--rig",
+           "@rig.yaml", "-o", "result"},
           "rig.yaml",
           std::move(how),
           {"@rig.yaml" + says}};

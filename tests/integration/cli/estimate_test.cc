@@ -22,7 +22,8 @@ class CliEstimate : public ::testing::Test {
   CliEstimate() { RecordGlide(folder_.path() / "glide"); }
 
   Outcome Estimate(const std::vector<std::string>& options) const {
-    std::vector<std::string> all = {"estimate", "glide", "--start-from-truth", "-o", "result"};
+    std::vector<std::string> all = {"estimate",           "glide", "--estimator", "dead-reckoning",
+                                    "--start-from-truth", "-o",    "result"};
     all.insert(all.end(), options.begin(), options.end());
     return RunDrydock(folder_.path(), all);
   }
@@ -33,6 +34,10 @@ class CliEstimate : public ::testing::Test {
 
   const TemporaryFolder folder_;
 };
+
+TEST_F(CliEstimate, TakesSvin2UnlessItIsToldOtherwise) {
+  EXPECT_THAT(RunDrydock(folder_.path(), {"estimate", "--help"}).out, HasSubstr("=svin2 "));
+}
 
 // After a second: 0.5 m/s * 1 s along x, 0.2 m/s^2 * (1 s)^2 / 2 along y, for which the midpoint
 // rule is exact. The depth readings say what is believed already.

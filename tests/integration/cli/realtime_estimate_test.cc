@@ -18,7 +18,8 @@ TEST(CliRealtimeEstimate, GivesTheOdometryOfLockStep) {
   const TemporaryFolder folder;
   RecordGlide(folder.path() / "glide");
   const auto estimate = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> all = {"estimate", "glide", "--start-from-truth", "-o", "result"};
+    std::vector<std::string> all = {"estimate",           "glide", "--estimator", "dead-reckoning",
+                                    "--start-from-truth", "-o",    "result"};
     all.insert(all.end(), options.begin(), options.end());
     const Outcome outcome = RunDrydock(folder.path(), all);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

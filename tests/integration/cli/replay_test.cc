@@ -17,8 +17,9 @@ TEST(CliReplay, GivesTheOdometryOfTheRun) {
        "sensors={stereo: {enabled: false}, depth: {latency_s: 0.13}, sonar: {latency_s: 0.02}}",
        "--seed", "5", "--record", "-o", "run"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const Outcome estimate = RunDrydock(
-      folder.path(), {"estimate", "run/dataset", "--start-from-truth", "-o", "estimate"});
+  const Outcome estimate =
+      RunDrydock(folder.path(), {"estimate", "run/dataset", "--estimator", "dead-reckoning",
+                                 "--start-from-truth", "-o", "estimate"});
   ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
   for (const char* name : {"odometry.tum", "trajectory.tum", "loops.csv", "events.log"}) {
     const std::string once = ReadFile(folder.path() / "run" / name);
@@ -40,7 +41,8 @@ TEST(CliReplay, SimulateAndEstimateIsRun) {
   with("run", "run");
   with("simulate", "dataset");
   const Outcome estimate =
-      RunDrydock(folder.path(), {"estimate", "dataset", "--start-from-truth", "-o", "estimate"});
+      RunDrydock(folder.path(), {"estimate", "dataset", "--estimator", "dead-reckoning",
+                                 "--start-from-truth", "-o", "estimate"});
   ASSERT_EQ(estimate.exit_code, 0) << estimate.err;
   EXPECT_TRUE(ReadFile(folder.path() / "run" / "odometry.tum") ==
               ReadFile(folder.path() / "estimate" / "odometry.tum"));

@@ -1,6 +1,7 @@
 #include "estimator/svin2/loop/loop_checker.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,26 @@ TEST(LoopChecker, AGuessTakesThePlaceOfLooks) {
   const Relocalisation found = Check(loop, loop.T_then_now.BoxPlus(off));
   ASSERT_TRUE(found.IsGood()) << ToString(found.status);
   EXPECT_LT(testing::ErrorOf(found.T_then_now, loop.T_then_now), 1e-6);
+}
+
+// Odometry speaks for it too: fewer points than by looks alone, but only where it does.
+TEST(LoopChecker, AGuessThatComesTrueNeedsFewerPoints) {
+  SyntheticLoop loop = MakeLoop({.noisy = true});
+  std::vector<KeyframePoint> now, then;
+  for (std::size_t k = 0; k < 12; ++k) {
+    then.push_back(loop.then.points[6 * k]);
+    now.insert(now.begin(), loop.now.points[79 - 6 * k]);
+  }
+  loop.now.points = now;
+  loop.then.points = then;
+  EXPECT_EQ(Check(loop).status, LoopStatus::kFewMatches);
+  Vector6d off = Vector6d::Zero();
+  off[0] = 0.1;
+  const Relocalisation found = Check(loop, loop.T_then_now.BoxPlus(off));
+  ASSERT_TRUE(found.IsGood()) << ToString(found.status);
+  EXPECT_LT(testing::ErrorOf(found.T_then_now, loop.T_then_now), 0.05);
+  off[0] = 0.6;
+  EXPECT_FALSE(Check(loop, loop.T_then_now.BoxPlus(off)).IsGood());
 }
 
 TEST(LoopChecker, RefusesOtherPlacesWhateverIsGuessed) {
