@@ -13,6 +13,8 @@ Keyframe DescribeKeyframe(const SlidingWindow& window, const TrackedFrame& seen,
   keyframe.T_WI = state.T_WI;
   keyframe.link = window.LinkToKeyframe();
   keyframe.covariance = window.LatestCovariance();
+  // Kept for the whole dive: without what a growing vector holds in reserve.
+  keyframe.points.reserve(seen.points.size() + seen.unfollowed.size());
   std::map<LandmarkId, std::size_t> places;
   for (const TrackedPoint& tracked : seen.points) {
     if (!tracked.descriptor) continue;
