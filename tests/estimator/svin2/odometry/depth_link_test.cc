@@ -64,6 +64,15 @@ TEST_F(DepthLinkTest, WaitsUntilTheWindowHasComeUp) {
   EXPECT_TRUE(window_->SurfaceHeight().has_value());
 }
 
+// As where the start had to wait for something to see.
+TEST_F(DepthLinkTest, WhatWasReadLongBeforeTheStartSaysNothing) {
+  DepthLink link(Sheet(0.0), {});
+  ASSERT_TRUE(link.Add(kNow - Duration{1'500'000'000}, {1.0}));
+  ASSERT_TRUE(link.Add(kNow, {TrueDepth(kNow)}));
+  EXPECT_TRUE(Feed(link).empty());
+  EXPECT_NEAR(window_->SurfaceHeight().value(), kSurface, 1e-3);
+}
+
 TEST_F(DepthLinkTest, RefusesWhatIsNoNumberOrComesTwice) {
   DepthLink link(Sheet(0.0), {});
   EXPECT_FALSE(link.Add(kNow, {std::numeric_limits<double>::quiet_NaN()}));
