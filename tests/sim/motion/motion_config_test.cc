@@ -49,9 +49,9 @@ TEST(MotionConfig, BrokenFilesAreNamed) {
       {"sped_m_s: 1\nwaypoints:\n- {position_m: [0, 0, 0]}\n- {position_m: [1, 0, 0]}\n",
        "sped_m_s"},
   };
-  for (const auto& [text, place] : broken) {
-    const std::string error = InputErrorOf([&] { Read(text); });
-    EXPECT_THAT(error, ::testing::HasSubstr(place));
+  for (const auto& entry : broken) {
+    const std::string error = InputErrorOf([&] { Read(entry.first); });
+    EXPECT_THAT(error, ::testing::HasSubstr(entry.second)) << entry.first;
   }
 }
 

@@ -143,10 +143,9 @@ MotionConfig Line(const std::vector<double>& steps) {
 // times its polygon before the times run out of digits.
 TEST(SplineMotion, RefusesACurveThatSwingsOut) {
   EXPECT_NO_THROW(SplineMotion(Line({1.0, 10.0, 1.0, 10.0}), 1));
-  const std::string error = InputErrorOf([&] {
+  const std::string message = InputErrorOf([] {
     const SplineMotion motion(Line({1.0, 50.0, 1.0, 50.0}), 1);
   });
-  const std::string message = error;
   EXPECT_EQ(message.find("f.yaml:13: motion.waypoints.4: "), 0U) << message;
   EXPECT_NE(message.find("at most 2 times the 102 m"), std::string::npos) << message;
 }
