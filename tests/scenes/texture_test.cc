@@ -113,7 +113,7 @@ TEST(Weathering, IsDeterministic) {
 
 TEST(WritePng, ErrorNamesTheFile) {
   const std::string error = InputErrorOf([&] { WritePng(cv::Mat3b(2, 2), "/nowhere/at/all.png"); });
-  EXPECT_NE(std::string(error).find("all.png"), std::string::npos);
+  EXPECT_NE(error.find("all.png"), std::string::npos);
 }
 
 }  // namespace

@@ -76,6 +76,18 @@ TEST(FeatureTracker, BlankImagesEndTracksButNothingElse) {
   EXPECT_GE(afterwards.points.size(), 60U);
 }
 
+TEST(FeatureTracker, NeverUsesAnIdTwice) {
+  Dive dive(Small(Matching::kPatches));  // With descriptors lost points get theirs back.
+  const TrackedFrame first = dive.Swim(0);
+  const WallDive other(2.5, 99);
+  dive.See(1, other.See(PoseAt(1)));
+  const TrackedFrame second = dive.Swim(2);
+  EXPECT_TRUE(second.is_keyframe);
+  EXPECT_EQ(first.points.front().id, 1U);
+  EXPECT_EQ(Shared(first, second), 0U);
+  EXPECT_GT(second.points.front().id, first.points.back().id);
+}
+
 TEST(FeatureTracker, WaitsWhereImagesCannotBeUsed) {
   Dive dive(Small());
   const TrackedFrame first = dive.Swim(0);
