@@ -113,7 +113,7 @@ void Svin2::SitOutSilence(Time now) {
   const Time t = *last_tracked_ + kLongestSilence;
   if (now < t + kLatestFrame || !imu_.Covers(t)) return;
   last_frame_ = t;
-  Process({t, now, StereoFrame{}});
+  Process({t, now, std::nullopt});
 }
 
 void Svin2::Process(const PendingFrame& pending) {
@@ -132,8 +132,9 @@ void Svin2::Process(const PendingFrame& pending) {
 
 TrackedFrame Svin2::Track(const PendingFrame& pending,
                           const std::optional<MotionPrediction>& prediction) {
-  const StageClock::Lap lap(clock_, "front end");
-  return tracker_(pending.t, pending.images, prediction, [this](LandmarkId id) {
+  const StageClock::Lap lap(clock_, pending.images ? "front end" : "silence of the cameras");
+  const StereoFrame images = pending.images.value_or(StereoFrame{});
+  return tracker_(pending.t, images, prediction, [this](LandmarkId id) {
     return window_ ? window_->LandmarkPosition(id) : std::nullopt;
   });
 }

@@ -55,7 +55,7 @@ class Svin2 final : public Estimator {
  private:
   struct PendingFrame {
     Time t, t_arrival;
-    StereoFrame images;
+    std::optional<StereoFrame> images;  ///< Nothing: the cameras were silent.
   };
 
   void AddStereo(const Measurement& measurement, const StereoFrame& images);

@@ -52,7 +52,10 @@ class SyntheticDive {
   void RunTo(double seconds) {
     for (; now_ <= Time::FromSeconds(seconds); now_ = now_ + kImuPeriod) {
       const bool is_silent = camera_is_silent && camera_is_silent(now_);
-      if ((now_ - first_frame).ns % frame_period.ns == 0 && !is_silent) Add(StereoFrame{});
+      if ((now_ - first_frame).ns % frame_period.ns == 0 && !is_silent) {
+        Add(StereoFrame{});
+        ++num_frames;
+      }
       if (now_.ns % 1'000'000'000 == 0) {
         const double z = (testing::MotionAt(now_).T_WI * SyntheticRig().depth.p_ID).z();
         Add(DepthSample{kSurface - z + depth_error_m});
@@ -62,7 +65,14 @@ class SyntheticDive {
     }
   }
 
+  std::size_t NumTimed(const std::string& name) const {
+    for (const StageTimings& stage : estimator->Timings())
+      if (stage.name == name) return stage.count;
+    return 0;
+  }
+
   std::unique_ptr<Svin2> estimator;
+  std::size_t num_frames = 0;  ///< That were given.
   std::function<bool(Time)> is_dark, camera_is_silent;
   bool only_keyframes = false;
   Time first_frame;
@@ -187,6 +197,7 @@ TEST(Svin2, ReckonsOnThroughACamerasSilence) {
   dive.RunTo(10.0);
   EXPECT_EQ(dive.estimator->Latest()->status, TrackingStatus::kTracking);
   EXPECT_EQ(dive.estimator->Latest()->map_id, 0);
+  EXPECT_EQ(dive.NumTimed("front end"), dive.num_frames) << "a silence is no stereo frame";
   EXPECT_NE(dive.said.find("vision failed (0 landmarks in view"), std::string::npos) << dive.said;
   EXPECT_NE(dive.said.find("vision is back"), std::string::npos) << dive.said;
 }
