@@ -23,8 +23,12 @@ struct KeyframePoint {
   std::optional<Eigen::Vector2d> right = std::nullopt;
   double sigma_px = 1.0;  ///< Standard deviation of each coordinate.
   Descriptor descriptor = {};
-  /// The landmark as the window estimated it [m, in the body's frame at the keyframe].
+  /// The landmark [m, in the body's frame at the keyframe]: as the window estimated it, or else,
+  /// for loop closing, as TriangulateByStereo has it.
   std::optional<Eigen::Vector3d> p_I = std::nullopt;
+  bool by_stereo = false;  ///< Whether the keyframe's own two pixels are all that p_I rests on.
+
+  bool IsEstimated() const { return p_I.has_value() && !by_stereo; }  ///< By the window.
 };
 
 /// By how much a point's errors are larger than those that bounds in pixels are made for: coarse

@@ -6,7 +6,6 @@
 
 #include "estimator/svin2/factors/reprojection_factor.h"
 #include "estimator/svin2/loop/fixed_pose_factor.h"
-#include "estimator/svin2/loop/keyframe_landmarks.h"
 #include "estimator/svin2/loop/recognised_point_factor.h"
 
 namespace drydock::svin2 {
@@ -43,7 +42,7 @@ void LoopBundle::AddRange(std::unique_ptr<ceres::CostFunction> cost, std::vector
 
 void LoopBundle::AddSeenThen(BlockId landmark, const KeyframePoint& point) {
   const double share = config_.window_sigma_share;
-  if (share > 0.0 && point.p_I.has_value()) {
+  if (share > 0.0 && point.IsEstimated()) {
     const auto left = rig_.camera(0).Project(rig_.T_IC(0).Inverse() * *point.p_I);
     const auto right = rig_.camera(1).Project(rig_.T_IC(1).Inverse() * *point.p_I);
     if (left.has_value() && right.has_value()) {
@@ -95,7 +94,7 @@ void LoopBundle::AddRangesOf(const Keyframe& keyframe, bool is_now, ByPoint& by_
   // What has no depth but by the range itself would only swallow it.
   const auto can_be_added = [&](std::size_t point) {
     return is_known(point) ||
-           (keyframe.points[point].p_I.has_value() && keyframe.points[point].right.has_value());
+           (keyframe.points[point].IsEstimated() && keyframe.points[point].right.has_value());
   };
   for (const KeyframePing& ping : keyframe.pings) {
     if (std::ranges::none_of(ping.points, is_known) ||

@@ -22,11 +22,6 @@ class LoopChecker {
     LoopVerifier::Config verifier = {};
     Relocaliser::Config relocaliser = {};
     int min_seed_inliers = 10;  ///< Of the matches by looks alone.
-    /// Of a motion that a guess foretold, fewer inliers convince than verifier and relocaliser ask
-    /// for: it agrees with odometry as well.
-    int min_guessed_inliers = 10;
-    double max_guess_error_m = 0.5;  ///< So near it was foretold,
-    double max_guess_error_rad = 0.1;
     /// Up to so many pairs of points all are compared, not only those below the same node of the
     /// vocabulary: in haze noise puts a point below another.
     int max_pairs_without_index = 40'000;
@@ -37,32 +32,27 @@ class LoopChecker {
   /// Throws InputError for values that cannot be used.
   LoopChecker(const Config& config, const StereoGeometry& rig);
 
-  /// `T_then_now` is a guess, by odometry and what earlier loops have said of its drift. The result
-  /// is good, or says why not.
+  /// `then`, to which the index belongs, may look like `now`; `around` is what is known of its
+  /// place (LocalMapAround), in which geometry looks. `T_then_now` is a guess, by odometry and what
+  /// earlier loops have said of its drift. The result is good, or says why not; its inliers are
+  /// points of `around`.
   Relocalisation Check(const Keyframe& now, const DirectIndex& index_now, const Keyframe& then,
-                       const DirectIndex& index_then,
+                       const DirectIndex& index_then, const Keyframe& around,
                        const std::optional<Pose>& T_then_now = std::nullopt) const;
-  /// All points are compared with all, for want of an index.
+  /// All points are compared with all, for want of an index, and `then` is all that is known.
   Relocalisation Check(const Keyframe& now, const Keyframe& then,
                        const std::optional<Pose>& T_then_now = std::nullopt) const;
 
  private:
-  Relocalisation Check(const Keyframe& now, const Keyframe& then,
-                       const std::vector<LoopMatch>& matches,
-                       const std::optional<Pose>& T_then_now) const;
-
-  /// Decides on points that lie where the motion has them.
-  struct Judge {
-    LoopVerifier verifier;
-    Relocaliser relocaliser;
-  };
-  const Judge& JudgeOf(const Pose& T_then_now, const std::optional<Pose>& guess) const;
+  Relocalisation CheckMatches(const Keyframe& now, const Keyframe& around,
+                              const std::vector<LoopMatch>& matches,
+                              const std::optional<Pose>& T_then_now) const;
 
   Config config_;
   StereoGeometry rig_;
   LoopMatcher matcher_;
-  LoopVerifier seed_verifier_;
-  Judge judge_, judge_of_guessed_;
+  LoopVerifier seed_verifier_, verifier_;
+  Relocaliser relocaliser_;
 };
 
 }  // namespace drydock::svin2

@@ -10,21 +10,30 @@ namespace {
 
 constexpr int kFar = 513;
 
+// One landmark may have been followed twice, under two ids: then it is seen in one spot.
+bool AreOne(const KeyframePoint& a, const KeyframePoint& b) {
+  constexpr double kSpotPx = 3.0;
+  return a.id == b.id ||
+         (a.left - b.left).norm() <= kSpotPx * std::max(ErrorScale(a), ErrorScale(b));
+}
+
 // The nearest of the points that one point was compared with.
 struct Nearest {
   std::size_t at = 0;
-  LandmarkId id = 0;
+  const KeyframePoint* point = nullptr;
   int distance = kFar;
   int other = kFar;  // Of the nearest point of another landmark.
 
-  void Offer(std::size_t candidate, LandmarkId landmark, int bits) {
+  void Offer(std::size_t candidate, const KeyframePoint& landmark, int bits) {
+    if (bits >= other) return;
+    const bool is_other = point != nullptr && !AreOne(landmark, *point);
     if (bits < distance) {
-      if (landmark != id) other = distance;
+      if (is_other) other = distance;
       at = candidate;
-      id = landmark;
+      point = &landmark;
       distance = bits;
-    } else if (landmark != id) {
-      other = std::min(other, bits);
+    } else if (is_other) {
+      other = bits;
     }
   }
   bool IsClear(int max_distance, double max_ratio) const {
@@ -42,8 +51,8 @@ class MutualNearest {
     const KeyframePoint& a = now_.points[i];
     const KeyframePoint& b = then_.points[j];
     const int bits = HammingDistance(a.descriptor, b.descriptor);
-    of_now_[i].Offer(j, b.id, bits);
-    of_then_[j].Offer(i, a.id, bits);
+    of_now_[i].Offer(j, b, bits);
+    of_then_[j].Offer(i, a, bits);
   }
 
   std::vector<LoopMatch> Matches(int max_distance, double max_ratio) const {
@@ -64,12 +73,12 @@ class MutualNearest {
   std::vector<Nearest> of_now_, of_then_;
 };
 
-std::vector<std::optional<Eigen::Vector2d>> Pixels(
-    const StereoGeometry& rig, const std::vector<std::optional<Eigen::Vector3d>>& landmarks,
-    const Pose& T) {
-  std::vector<std::optional<Eigen::Vector2d>> pixels(landmarks.size());
-  for (std::size_t k = 0; k < landmarks.size(); ++k)
-    if (landmarks[k].has_value()) pixels[k] = PixelInLeft(rig, T * *landmarks[k]);
+std::vector<std::optional<Eigen::Vector2d>> Pixels(const StereoGeometry& rig,
+                                                   const Keyframe& keyframe, const Pose& T) {
+  std::vector<std::optional<Eigen::Vector2d>> pixels;
+  pixels.reserve(keyframe.points.size());
+  for (const KeyframePoint& point : keyframe.points)
+    pixels.push_back(point.p_I.has_value() ? PixelInLeft(rig, T * *point.p_I) : std::nullopt);
   return pixels;
 }
 
@@ -109,9 +118,8 @@ std::vector<LoopMatch> LoopMatcher::Match(const Keyframe& now, const Keyframe& t
 std::vector<LoopMatch> LoopMatcher::MatchNear(const StereoGeometry& rig, const Keyframe& now,
                                               const Keyframe& then, const Pose& T_then_now,
                                               double radius_px) const {
-  const auto landmarks_then = LandmarksOf(rig, then);
-  const auto then_in_now = Pixels(rig, landmarks_then, T_then_now.Inverse());
-  const auto now_in_then = Pixels(rig, LandmarksOf(rig, now), T_then_now);
+  const auto then_in_now = Pixels(rig, then, T_then_now.Inverse());
+  const auto now_in_then = Pixels(rig, now, T_then_now);
   const auto is_near = [radius_px](const std::optional<Eigen::Vector2d>& expected,
                                    const KeyframePoint& seen) {
     return expected.has_value() && (*expected - seen.left).norm() <= radius_px * ErrorScale(seen);
@@ -119,8 +127,8 @@ std::vector<LoopMatch> LoopMatcher::MatchNear(const StereoGeometry& rig, const K
   MutualNearest nearest(now, then);
   for (std::size_t i = 0; i < now.points.size(); ++i) {
     for (std::size_t j = 0; j < then.points.size(); ++j) {
-      if (landmarks_then[j].has_value() ? is_near(then_in_now[j], now.points[i])
-                                        : is_near(now_in_then[i], then.points[j])) {
+      if (then.points[j].p_I.has_value() ? is_near(then_in_now[j], now.points[i])
+                                         : is_near(now_in_then[i], then.points[j])) {
         nearest.Compare(i, j);
       }
     }

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/svin2/loop/keyframe_landmarks.h"
 #include "sensors_models/base/check.h"
 
 namespace drydock::svin2 {
 namespace {
-
-using Landmarks = std::vector<std::optional<Eigen::Vector3d>>;
 
 // Which of a match's two points is meant, and where the match has it.
 using Side = std::size_t LoopMatch::*;
@@ -39,11 +36,11 @@ double Spread(const Keyframe& keyframe, const std::vector<LoopMatch>& matches, S
 
 // The landmarks of one keyframe where the other's cameras see their matches.
 std::vector<LandmarkObservation> Observations(const std::vector<LoopMatch>& matches,
-                                              const Landmarks& landmarks, Side landmark_side,
+                                              const Keyframe& known_by, Side landmark_side,
                                               const Keyframe& seen_by, Side pixel_side) {
   std::vector<LandmarkObservation> observations;
   for (const LoopMatch& match : matches) {
-    const auto& landmark = landmarks[match.*landmark_side];
+    const auto& landmark = known_by.points[match.*landmark_side].p_I;
     if (!landmark.has_value()) continue;
     const KeyframePoint& seen = seen_by.points[match.*pixel_side];
     const double scale = ErrorScale(seen);
@@ -108,15 +105,13 @@ struct LoopVerifier::Candidates {
   const Keyframe& now;
   const Keyframe& then;
   const std::vector<LoopMatch>& matches;
-  Landmarks landmarks_now = LandmarksOf(rig, now);
-  Landmarks landmarks_then = LandmarksOf(rig, then);
 
   // Then's landmarks in the cameras of now: a body at T_then_now sees them.
   std::vector<LandmarkObservation> SeenNow() const {
-    return Observations(matches, landmarks_then, &LoopMatch::then, now, &LoopMatch::now);
+    return Observations(matches, then, &LoopMatch::then, now, &LoopMatch::now);
   }
   std::vector<LandmarkObservation> SeenThen() const {
-    return Observations(matches, landmarks_now, &LoopMatch::now, then, &LoopMatch::then);
+    return Observations(matches, now, &LoopMatch::now, then, &LoopMatch::then);
   }
 
   // Whether everything that can be said of a match agrees with the motion, and anything can.
@@ -134,8 +129,8 @@ struct LoopVerifier::Candidates {
     };
     std::vector<LoopMatch> agreeing;
     for (const LoopMatch& match : matches) {
-      const auto& of_now = landmarks_now[match.now];
-      const auto& of_then = landmarks_then[match.then];
+      const auto& of_now = now.points[match.now].p_I;
+      const auto& of_then = then.points[match.then].p_I;
       if (!of_now.has_value() && !of_then.has_value()) continue;
       if (agrees(of_then, T_now_then, now.points[match.now]) &&
           agrees(of_now, T_then_now, then.points[match.then])) {

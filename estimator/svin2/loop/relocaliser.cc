@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "estimator/svin2/loop/keyframe_landmarks.h"
 #include "estimator/svin2/loop/loop_bundle.h"
 #include "sensors_models/base/check.h"
 
@@ -17,17 +16,16 @@ struct LoopLandmark {
   Eigen::Vector3d p_then;
 };
 
-std::vector<LoopLandmark> Begin(const StereoGeometry& rig, const Keyframe& now,
-                                const Keyframe& then, const std::vector<LoopMatch>& matches,
-                                const Pose& T_then_now) {
-  const auto of_then = LandmarksOf(rig, then);
-  const auto of_now = LandmarksOf(rig, now);
+std::vector<LoopLandmark> Begin(const Keyframe& now, const Keyframe& then,
+                                const std::vector<LoopMatch>& matches, const Pose& T_then_now) {
   std::vector<LoopLandmark> landmarks;
   for (const LoopMatch& match : matches) {
-    if (of_then[match.then].has_value()) {
-      landmarks.push_back({match, *of_then[match.then]});
-    } else if (of_now[match.now].has_value()) {
-      landmarks.push_back({match, T_then_now * *of_now[match.now]});
+    const auto& of_then = then.points[match.then].p_I;
+    const auto& of_now = now.points[match.now].p_I;
+    if (of_then.has_value()) {
+      landmarks.push_back({match, *of_then});
+    } else if (of_now.has_value()) {
+      landmarks.push_back({match, T_then_now * *of_now});
     }
   }
   return landmarks;
@@ -95,7 +93,7 @@ Relocalisation Relocaliser::Relocalise(const Keyframe& now, const Keyframe& then
                                        const Pose& T_then_now) const {
   constexpr int kRounds = 3;  // The first with the robust loss.
   Pose motion = T_then_now;
-  std::vector<LoopLandmark> landmarks = Begin(rig_, now, then, matches, T_then_now);
+  std::vector<LoopLandmark> landmarks = Begin(now, then, matches, T_then_now);
   for (int round = 0; static_cast<int>(landmarks.size()) >= config_.min_inliers; ++round) {
     LoopBundle bundle({.offset_per_sigma = config_.offset_per_sigma,
                        .window_sigma_share = config_.window_sigma_share,

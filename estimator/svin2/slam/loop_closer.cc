@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "estimator/svin2/loop/keyframe_landmarks.h"
+#include "estimator/svin2/loop/local_map.h"
 #include "estimator/svin2/loop/loop_edge.h"
 #include "sensors_models/base/check.h"
 
@@ -62,11 +64,13 @@ LoopCloser::LoopCloser(const LoopCloserConfig& config, const StereoSheet& sheet,
       vocabulary_(std::move(vocabulary)),
       places_(vocabulary_->words()),
       consistency_(config.consistency),
-      checker_(config.check, StereoGeometry(sheet)),
+      rig_(sheet),
+      checker_(config.check, rig_),
       graph_(config.graph, worker) {}
 
 void LoopCloser::Add(Keyframe keyframe) {
   if (keyframe.is_glimpse && !(keyframe.link && LinkOf(keyframe))) return;
+  TriangulateByStereo(rig_, keyframe);
   BagOfWords bag = vocabulary_->Transform(DescriptorsOf(keyframe), config_.index_level);
   const std::vector<Candidate> candidates = FindCandidates(keyframe, bag);
   const std::optional<Loop> loop = Verify(keyframe, bag, candidates);
@@ -144,8 +148,9 @@ std::optional<LoopCloser::Loop> LoopCloser::Verify(const Keyframe& now, const Ba
   const StageClock::Lap lap(clock_, "loop verification");
   for (const auto& [then, T_then_now] : candidates) {
     const Keyframe& old = keyframes_[then];
+    const Keyframe around = LocalMapAround(rig_, keyframes_, then, config_.local_map_reach);
     Relocalisation found =
-        checker_.Check(now, bag.index, old, places_.DirectIndexOf(old.index), T_then_now);
+        checker_.Check(now, bag.index, old, places_.DirectIndexOf(old.index), around, T_then_now);
     if (found.IsGood()) return Loop{then, std::move(found)};
   }
   return std::nullopt;

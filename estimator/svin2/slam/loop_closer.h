@@ -61,6 +61,7 @@ class LoopCloser {
   std::shared_ptr<const Vocabulary> vocabulary_;
   PlaceDatabase places_;
   CandidateConsistency consistency_;
+  StereoGeometry rig_;
   LoopChecker checker_;
   DelayedPoseGraph graph_;
 

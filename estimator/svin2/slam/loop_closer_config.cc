@@ -30,11 +30,10 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.max_verified = integer("max_verified", 0, 100, config.max_verified);
   config.max_pairs = integer("max_pairs", 0, 1e9, config.max_pairs);
   reader.OptionalMap("nearby", [&](YamlReader& nearby) { ReadNearby(nearby, config.nearby); });
+  config.local_map_reach = integer("local_map_reach", 0, 100, config.local_map_reach);
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);
   config.check.relocaliser.min_inliers = config.check.verifier.min_inliers;
-  config.check.min_guessed_inliers =
-      integer("min_guessed_inliers", 4, 1000, config.check.min_guessed_inliers);
   config.graph.delay_keyframes = integer("delay_keyframes", 0, 1000, config.graph.delay_keyframes);
   config.graph.options.identity_weights =
       reader.Boolean("identity_weights", config.graph.options.identity_weights);

@@ -31,6 +31,8 @@ struct LoopCloserConfig {
   int max_pairs = 100'000;  ///< and more of them while so few pairs of points are to be compared.
   NearbyRule nearby;
   int index_level = 2;  ///< Points are compared below one node, so many steps from the root.
+  /// Geometry looks for points also in what so many keyframes before and after a candidate know.
+  int local_map_reach = 2;
   LoopChecker::Config check;
   DelayedPoseGraphConfig graph;
 };

@@ -9,14 +9,21 @@ namespace {
 
 TEST(KeyframeLandmarks, AreTheWindowsElseThoseOfStereo) {
   testing::SyntheticLoop loop = testing::MakeLoop();
-  loop.then.points[0].p_I = Eigen::Vector3d(7, 8, 9);
-  loop.then.points[1].right.reset();
-  const auto landmarks = LandmarksOf(loop.rig, loop.then);
-  ASSERT_EQ(landmarks.size(), loop.landmarks.size());
-  EXPECT_EQ(landmarks[0], Eigen::Vector3d(7, 8, 9));
-  EXPECT_FALSE(landmarks[1].has_value());
-  for (std::size_t k = 2; k < landmarks.size(); ++k)
-    EXPECT_LT((*landmarks[k] - loop.landmarks[k]).norm(), 1e-9);
+  Keyframe keyframe = loop.then;
+  for (KeyframePoint& point : keyframe.points) {
+    point.p_I.reset();
+    point.by_stereo = false;
+  }
+  keyframe.points[0].p_I = Eigen::Vector3d(7, 8, 9);
+  keyframe.points[1].right.reset();
+  TriangulateByStereo(loop.rig, keyframe);
+  EXPECT_EQ(*keyframe.points[0].p_I, Eigen::Vector3d(7, 8, 9));
+  EXPECT_TRUE(keyframe.points[0].IsEstimated());
+  EXPECT_FALSE(keyframe.points[1].p_I.has_value());
+  for (std::size_t k = 2; k < keyframe.points.size(); ++k) {
+    ASSERT_TRUE(keyframe.points[k].by_stereo);
+    EXPECT_LT((*keyframe.points[k].p_I - loop.landmarks[k]).norm(), 1e-9);
+  }
 }
 
 TEST(KeyframeLandmarks, AreSeenWhereTheImageIs) {

@@ -47,10 +47,10 @@ TEST(LoopChecker, ComparesByTheIndexWhereThereIsOne) {
     then[static_cast<std::uint32_t>(loop.then.points[k].id % 8)].push_back(k);
   }
   const LoopChecker checker({.max_pairs_without_index = 0}, loop.rig);
-  EXPECT_TRUE(checker.Check(loop.now, IndexOf(now), loop.then, IndexOf(then)).IsGood());
-  EXPECT_EQ(checker.Check(loop.now, {}, loop.then, {}).status, LoopStatus::kFewMatches);
+  EXPECT_TRUE(checker.Check(loop.now, IndexOf(now), loop.then, IndexOf(then), loop.then).IsGood());
+  EXPECT_EQ(checker.Check(loop.now, {}, loop.then, {}, loop.then).status, LoopStatus::kFewMatches);
   // So few points are all compared.
-  EXPECT_TRUE(LoopChecker({}, loop.rig).Check(loop.now, {}, loop.then, {}).IsGood());
+  EXPECT_TRUE(LoopChecker({}, loop.rig).Check(loop.now, {}, loop.then, {}, loop.then).IsGood());
 }
 
 // Looks find 14 of 80 points, geometry the rest.
@@ -73,26 +73,6 @@ TEST(LoopChecker, AGuessTakesThePlaceOfLooks) {
   const Relocalisation found = Check(loop, loop.T_then_now.BoxPlus(off));
   ASSERT_TRUE(found.IsGood()) << ToString(found.status);
   EXPECT_LT(testing::ErrorOf(found.T_then_now, loop.T_then_now), 1e-6);
-}
-
-// Odometry speaks for it too: fewer points than by looks alone, but only where it does.
-TEST(LoopChecker, AGuessThatComesTrueNeedsFewerPoints) {
-  SyntheticLoop loop = MakeLoop({.noisy = true});
-  std::vector<KeyframePoint> now, then;
-  for (std::size_t k = 0; k < 12; ++k) {
-    then.push_back(loop.then.points[6 * k]);
-    now.insert(now.begin(), loop.now.points[79 - 6 * k]);
-  }
-  loop.now.points = now;
-  loop.then.points = then;
-  EXPECT_EQ(Check(loop).status, LoopStatus::kFewMatches);
-  Vector6d off = Vector6d::Zero();
-  off[0] = 0.1;
-  const Relocalisation found = Check(loop, loop.T_then_now.BoxPlus(off));
-  ASSERT_TRUE(found.IsGood()) << ToString(found.status);
-  EXPECT_LT(testing::ErrorOf(found.T_then_now, loop.T_then_now), 0.05);
-  off[0] = 0.6;
-  EXPECT_FALSE(Check(loop, loop.T_then_now.BoxPlus(off)).IsGood());
 }
 
 TEST(LoopChecker, RefusesOtherPlacesWhateverIsGuessed) {

@@ -48,6 +48,17 @@ TEST(LoopMatcher, RefusesWhatIsTooFarOrTooLikeAnother) {
   EXPECT_TRUE(AreRight(loop, matches));
 }
 
+// A landmark that was lost and followed anew, under another id.
+TEST(LoopMatcher, TakesTwinsInOneSpotForOneLandmark) {
+  auto loop = MakeLoop();
+  MakeTwins(loop);
+  for (std::size_t k = 10; k < loop.then.points.size(); k += 10)
+    loop.then.points[k].left = loop.then.points[k - 1].left + Eigen::Vector2d(1.0, 1.0);
+  const auto matches = LoopMatcher({}).Match(loop.now, loop.then);
+  // The later one's own looks are gone.
+  EXPECT_EQ(matches.size(), loop.landmarks.size() - 7);
+}
+
 TEST(LoopMatcher, ComparesPointsOfTheSameNodeOnly) {
   const auto loop = MakeLoop();
   const std::size_t count = loop.landmarks.size();
@@ -76,10 +87,10 @@ TEST(LoopMatcher, TellsTwinsApartByWhereTheyMustBe) {
 
 TEST(LoopMatcher, LooksForNowsLandmarksInThenWhereThenHasNone) {
   auto loop = MakeLoop();
-  for (KeyframePoint& point : loop.then.points) point.right.reset();
+  testing::CloseRightEye(loop.then);
   const auto matches = LoopMatcher({}).MatchNear(loop.rig, loop.now, loop.then, loop.T_then_now, 5);
   EXPECT_EQ(matches.size(), loop.landmarks.size());
-  for (KeyframePoint& point : loop.now.points) point.right.reset();
+  testing::CloseRightEye(loop.now);
   EXPECT_TRUE(LoopMatcher({}).MatchNear(loop.rig, loop.now, loop.then, loop.T_then_now, 5).empty());
 }
 

@@ -181,11 +181,13 @@ TEST(Relocaliser, UsesRangesWhoseLandmarksItKnows) {
   loop.then.pings.resize(1);
   loop.now.pings.resize(1);
   for (Keyframe* keyframe : {&loop.then, &loop.now})
-    for (std::size_t k = 0; k < loop.landmarks.size(); ++k)
+    for (std::size_t k = 0; k < loop.landmarks.size(); ++k) {
+      keyframe->points[k].by_stereo = false;
       keyframe->points[k].p_I =
           keyframe == &loop.then
               ? loop.landmarks[k]
               : loop.T_then_now.Inverse() * loop.landmarks[loop.landmarks.size() - 1 - k];
+    }
   EXPECT_EQ(Relocalise(loop).ranges, 2);
   // Half of the patch unmatched: its landmarks are estimated with the others.
   const auto without = [&](std::size_t count) {

@@ -13,6 +13,7 @@
 
 #include "estimator/svin2/frontend/stereo_geometry.h"
 #include "estimator/svin2/loop/keyframe.h"
+#include "estimator/svin2/loop/keyframe_landmarks.h"
 #include "estimator/svin2/loop/loop_matcher.h"
 #include "sensors_models/base/random_stream.h"
 #include "tests/estimator/svin2/synthetic_stereo.h"
@@ -27,7 +28,7 @@ struct LoopOptions {
   bool noisy = false;        ///< Pixels have noise.
   double offset_px = 0.0;    ///< Of now's corners beside then's, the same in both eyes (sigma).
   double window_sigma = -1;  ///< Noise of p_I: that of stereo with so many times sigma_px;
-                             ///< negative: there is no p_I.
+                             ///< negative: p_I is by stereo.
   int changed_bits = 30;     ///< Of each descriptor, from `then` to `now`.
   double half_width = 0.5;   ///< Of the view, as a slope: 0.5 fills most of the image.
   Pose T_then_now = Pose(FromYawPitchRoll(0.2, -0.05, 0.03), {0.3, 0.8, -0.2});
@@ -127,7 +128,16 @@ inline SyntheticLoop MakeLoop(const LoopOptions& options = {}) {
   loop.now.index = 70;
   loop.then.T_WI = Pose(FromYawPitchRoll(1.0, 0.1, -0.05), {4, 5, -2});
   loop.now.T_WI = loop.then.T_WI * loop.T_then_now;
+  for (Keyframe* keyframe : {&loop.then, &loop.now}) TriangulateByStereo(loop.rig, *keyframe);
   return loop;
+}
+
+/// As if the left eye alone had seen what the keyframe sees.
+inline void CloseRightEye(Keyframe& keyframe) {
+  for (KeyframePoint& point : keyframe.points) {
+    point.right.reset();
+    point.p_I.reset();
+  }
 }
 
 /// The first of the matches, `share` of all, each with a wrong partner.

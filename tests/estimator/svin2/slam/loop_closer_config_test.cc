@@ -40,7 +40,7 @@ TEST(LoopCloserConfig, ReadsWhatIsSaid) {
       "max_tracked: 12\nmin_age_s: 5\nneighbour_share: 0.6\nmin_score: 0.01\n"
       "consistent_keyframes: 3\nmax_verified: 1\nmin_inliers: 20\ndelay_keyframes: 2\n"
       "nearby: {max_distance_m: 1, max_angle_rad: 0.3, max_drift_sigma_m: 0.2, max_candidates: 2}\n"
-      "min_guessed_inliers: 12\nidentity_weights: true\ncheck_loops: false\n");
+      "local_map_reach: 3\nidentity_weights: true\ncheck_loops: false\n");
   EXPECT_EQ(config.max_tracked, 12);
   EXPECT_EQ(config.min_age_s, 5.0);
   EXPECT_EQ(config.candidates.neighbour_share, 0.6);
@@ -54,7 +54,7 @@ TEST(LoopCloserConfig, ReadsWhatIsSaid) {
   EXPECT_EQ(config.nearby.max_angle_rad, 0.3);
   EXPECT_EQ(config.nearby.max_drift_sigma_m, 0.2);
   EXPECT_EQ(config.nearby.max_candidates, 2);
-  EXPECT_EQ(config.check.min_guessed_inliers, 12);
+  EXPECT_EQ(config.local_map_reach, 3);
   EXPECT_TRUE(config.graph.options.identity_weights);
   EXPECT_FALSE(config.graph.options.check_loops);
 }
