@@ -10,6 +10,7 @@ namespace {
 constexpr std::array kMetrics = std::to_array<MetricInfo>({
     {"ate_rmse_m", "m", Better::kLower, "RMS position error of the final trajectory after SE(3) alignment", &Metrics::ate_rmse_m},
     {"ate_odometry_rmse_m", "m", Better::kLower, "the same of the odometry as it was published at the time", &Metrics::ate_odometry_rmse_m},
+    {"ate_to_odometry", "", Better::kLower, "ate_rmse_m over ate_odometry_rmse_m: under 1 where loops have made it better", &Metrics::ate_to_odometry},
     {"ate_percent", "%", Better::kLower, "ate_rmse_m as a share of the length of the true path", &Metrics::ate_percent},
     {"scale_error_percent", "%", Better::kNearZero, "100 (1/s - 1) with s the scale of Sim(3) alignment; positive: estimate too large", &Metrics::scale_error_percent},
     {"rpe_5m_percent", "%", Better::kLower, "mean position error of steps of 5 m along the estimate, as a share of the step", &Metrics::rpe_5m_percent},

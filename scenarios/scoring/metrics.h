@@ -12,6 +12,7 @@ namespace drydock::score {
 struct Metrics {
   std::optional<double> ate_rmse_m;
   std::optional<double> ate_odometry_rmse_m;
+  std::optional<double> ate_to_odometry;
   std::optional<double> ate_percent;
   std::optional<double> scale_error_percent;
   std::optional<double> rpe_5m_percent;

@@ -39,6 +39,8 @@ void FillFromOdometry(const RunInfo& run, const Trajectory& truth, const Traject
                       Metrics& metrics) {
   const auto score = TryScoreTrajectories(truth, odometry, Alignment::kSe3);
   metrics.ate_odometry_rmse_m = score ? score->metrics.ate_rmse_m : std::nullopt;
+  if (metrics.ate_rmse_m && metrics.ate_odometry_rmse_m)
+    metrics.ate_to_odometry = *metrics.ate_rmse_m / *metrics.ate_odometry_rmse_m;
   metrics.continuity_percent = 100.0 * Continuity(truth, odometry, kMaxGap);
   metrics.init_time_s = TimeToNextPose(odometry, truth.front().t);
   metrics.init_scale_error_percent = InitialScaleErrorPercent(truth, odometry);

@@ -42,10 +42,10 @@ struct Scorecard {
 };
 
 /// Scores a run. `odometry` is what was published at the time, `final_trajectory` what the
-/// estimator says in the end; every metric but ate_odometry_rmse_m, continuity_percent,
-/// init_time_s, init_scale_error_percent and recovery_time_s is of the latter. Trajectories that
-/// are empty or too short leave metrics unset, and criteria on those fail. InputError for an empty
-/// truth or a criterion that makes no sense.
+/// estimator says in the end; every metric but ate_odometry_rmse_m, ate_to_odometry,
+/// continuity_percent, init_time_s, init_scale_error_percent and recovery_time_s is of the latter.
+/// Trajectories that are empty or too short leave metrics unset, and criteria on those fail.
+/// InputError for an empty truth or a criterion that makes no sense.
 Scorecard Score(const RunInfo& run, const Trajectory& truth, const Trajectory& odometry,
                 const Trajectory& final_trajectory, const std::vector<Criterion>& criteria);
 

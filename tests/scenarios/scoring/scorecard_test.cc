@@ -46,12 +46,12 @@ TEST(Scorecard, JsonHasTheKeysOfTheContractInOrder) {
                                       "metrics", "alignment", "criteria", "verdict"));
   EXPECT_THAT(
       Keys(json["metrics"]),
-      ElementsAre("ate_rmse_m", "ate_odometry_rmse_m", "ate_percent", "scale_error_percent",
-                  "rpe_5m_percent", "rpe_5m_deg_per_m", "final_drift_percent", "yaw_error_deg",
-                  "z_rmse_m", "continuity_percent", "init_time_s", "init_scale_error_percent",
-                  "false_starts", "anees_position", "anees_orientation", "ate_after_fault_m",
-                  "recovery_time_s", "loops_found", "loop_precision", "loop_recall",
-                  "sonar_map_rmse_m", "landmark_map_rmse_m"));
+      ElementsAre("ate_rmse_m", "ate_odometry_rmse_m", "ate_to_odometry", "ate_percent",
+                  "scale_error_percent", "rpe_5m_percent", "rpe_5m_deg_per_m",
+                  "final_drift_percent", "yaw_error_deg", "z_rmse_m", "continuity_percent",
+                  "init_time_s", "init_scale_error_percent", "false_starts", "anees_position",
+                  "anees_orientation", "ate_after_fault_m", "recovery_time_s", "loops_found",
+                  "loop_precision", "loop_recall", "sonar_map_rmse_m", "landmark_map_rmse_m"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["seed"], 18'446'744'073'709'551'615ULL);
   EXPECT_EQ(json["verdict"], "pass");
@@ -82,6 +82,7 @@ TEST(Scorecard, JsonIsTheSameBytes) {
   "metrics": {
     "ate_rmse_m": null,
     "ate_odometry_rmse_m": null,
+    "ate_to_odometry": null,
     "ate_percent": null,
     "scale_error_percent": null,
     "rpe_5m_percent": null,
@@ -143,6 +144,8 @@ TEST(Scorecard, FinalAndOdometryAreScoredApart) {
   const Scorecard card = Score(BusRun(), Helix(), odometry, Helix(), {});
   EXPECT_NEAR(*card.metrics.ate_rmse_m, 0.0, 1e-12);
   EXPECT_NEAR(*card.metrics.ate_odometry_rmse_m, 0.5, 0.01);
+  EXPECT_NEAR(*card.metrics.ate_to_odometry, 0.0, 1e-12);
+  EXPECT_NEAR(*Score(BusRun(), Helix(), odometry, odometry, {}).metrics.ate_to_odometry, 1.0, 0.0);
   ASSERT_TRUE(card.alignment.has_value());
 }
 
