@@ -9,7 +9,7 @@
 
 #include "estimator/registry/registry.h"
 #include "scenarios/scoring/loops.h"
-#include "scenarios/scoring/scorecard.h"
+#include "tests/integration/dark_trial.h"
 #include "tests/integration/recorded_dive.h"
 
 namespace drydock {
@@ -26,13 +26,11 @@ class Svin2Loops : public ::testing::Test {
   }
   static void TearDownTestSuite() { dive_.reset(); }
 
-  /// Started by its own initialisation; black from `black_from` to `black_to`.
-  static std::unique_ptr<Estimator> Run(const std::string& name, Time black_from = {},
-                                        Time black_to = {}) {
+  /// Started by its own initialisation.
+  static std::unique_ptr<Estimator> Run(const std::string& name) {
     auto estimator = FindEstimator(name).make(dive_->rig, NoOptions());
     estimator->Start(std::nullopt);
-    for (const Measurement& m : dive_->measurements)
-      estimator->Add(m.t >= black_from && m.t < black_to ? testing::Blackened(m) : m);
+    for (const Measurement& m : dive_->measurements) estimator->Add(m);
     estimator->Finish();
     return estimator;
   }
@@ -42,14 +40,6 @@ class Svin2Loops : public ::testing::Test {
     for (const LoopClosure& loop : estimator.Loops())
       loops.push_back({loop.t_now, loop.t_then, loop.T_then_now});
     return score::ScoreLoops(dive_->truth, loops);
-  }
-
-  /// Position error (RMSE) of the poses outside [from, to), aligned, as a share of the path [%].
-  static double AtePercentOutside(const Trajectory& trajectory, Time from, Time to) {
-    Trajectory kept;
-    for (const StampedPose& pose : trajectory)
-      if (pose.t < from || pose.t >= to) kept.push_back(pose);
-    return score::Score({}, dive_->truth, kept, kept, {}).metrics.ate_percent.value();
   }
 
   static inline std::unique_ptr<RecordedDive> dive_;
@@ -74,19 +64,17 @@ TEST_F(Svin2Loops, AreTrueAndLeaveOdometryAsItIs) {
 }
 
 TEST_F(Svin2Loops, RelocaliseAfterTenSecondsOfBlackness) {
-  const Time dark = Time::FromSeconds(6.5), light = Time::FromSeconds(16.5);
-  const auto svin2 = Run("svin2", dark, light);
-  ASSERT_FALSE(svin2->Loops().empty());
-  const Time first = svin2->Loops().front().t_now;
-  const double corrected = AtePercentOutside(svin2->Corrected(), dark, first);
-  const double odometry = AtePercentOutside(svin2->Odometry(), dark, first);
-  std::printf("relocalised %.2f s after the light came back; ATE %.3f %%, of odometry %.3f %%\n",
-              (first - light).Seconds(), corrected, odometry);
-  EXPECT_GE(first, light);
-  EXPECT_LE((first - light).Seconds(), 3.0);
-  EXPECT_LE(corrected, 0.3);
-  EXPECT_LT(corrected, odometry);
-  EXPECT_EQ(ScoreOf(*svin2).true_loops, ScoreOf(*svin2).judged);
+  const testing::DarkTrial trial =
+      testing::RunInTheDark(*dive_, Time::FromSeconds(6.5), Time::FromSeconds(16.5));
+  std::printf("%s\n", testing::Line(trial).c_str());
+  EXPECT_EQ(trial.maps, 1);
+  EXPECT_EQ(trial.true_loops, trial.loops);
+  ASSERT_TRUE(trial.corrected_s.has_value());
+  EXPECT_GE(*trial.recognised_s, 0.0);
+  EXPECT_LE(*trial.corrected_s, 3.0);
+  EXPECT_LE(trial.ate_percent, 0.3);
+  EXPECT_LT(trial.ate_percent, trial.ate_odometry_percent);
+  EXPECT_LT(trial.live_error_m, 0.1);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct DelayedPoseGraph::Run {
 
 DelayedPoseGraph::DelayedPoseGraph(const DelayedPoseGraphConfig& config, Worker* worker)
     : config_(config), worker_(worker), graph_(config.loop_check) {
-  Check(config.delay_keyframes >= 0, "a delay of {} keyframes", config.delay_keyframes);
+  Check(config.delay_frames >= 0, "a delay of {} frames", config.delay_frames);
 }
 
 DelayedPoseGraph::~DelayedPoseGraph() {
@@ -33,11 +33,21 @@ bool DelayedPoseGraph::AddKeyframe(const PoseGraphNode& node,
                                    std::span<const PoseGraphEdge> edges) {
   graph_.AddNode(node);
   for (const PoseGraphEdge& edge : edges) AddEdge(edge);
+  return Proceed();
+}
+
+bool DelayedPoseGraph::AddGlimpse(const std::optional<PoseGraphEdge>& edge) {
+  if (edge.has_value()) AddEdge(*edge);
+  return Proceed();
+}
+
+/// A frame is through. Takes what is due and begins what is wanted; true if a result was applied.
+bool DelayedPoseGraph::Proceed() {
   bool taken = false;
+  ++frames_since_;
   // Twice where there is no delay: what begins now is taken now.
   while (true) {
-    if (run_ && graph_.nodes().size() >= run_->snapshot.nodes().size() +
-                                             static_cast<std::size_t>(config_.delay_keyframes)) {
+    if (run_ && frames_since_ >= config_.delay_frames) {
       Take();
       taken = true;
     }
@@ -48,6 +58,7 @@ bool DelayedPoseGraph::AddKeyframe(const PoseGraphNode& node,
 
 void DelayedPoseGraph::Begin() {
   wanted_ = false;
+  frames_since_ = 0;
   run_ = std::make_unique<Run>(graph_);
   const auto optimise = [run = run_.get(), options = config_.options] {
     run->result = run->snapshot.Optimise(options);

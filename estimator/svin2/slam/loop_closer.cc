@@ -76,7 +76,8 @@ void LoopCloser::Add(Keyframe keyframe) {
   const std::optional<Loop> loop = Verify(keyframe, bag, candidates);
   if (loop) Report(keyframe, *loop);
   if (keyframe.is_glimpse) {
-    if (loop) graph_.AddEdge(EdgeOfGlimpse(keyframe, *loop));
+    const StageClock::Lap lap(clock_, "pose graph");
+    graph_.AddGlimpse(loop ? std::optional(EdgeOfGlimpse(keyframe, *loop)) : std::nullopt);
     return;
   }
   {
@@ -199,6 +200,16 @@ void LoopCloser::Report(const Keyframe& now, const Loop& loop) {
                           "drifted by {:.3f} m since",
                           (now.t - then.t).Seconds(), loop.found.inliers.size(),
                           (drift * now.T_WI.p() - now.T_WI.p()).norm())});
+}
+
+void LoopCloser::Finish() {
+  graph_.Finish();
+  const std::size_t refused = loops_.size() - Loops().size();
+  if (refused == 0) return;
+  events_.push_back({keyframes_.back().t,
+                     fmt::format("{} of {} places that were recognised contradict odometry or each "
+                                 "other: no loops were closed there",
+                                 refused, loops_.size())});
 }
 
 std::vector<LoopClosure> LoopCloser::Loops() const {

@@ -25,7 +25,7 @@ class LoopCloser {
   /// The next keyframe or glimpse, by rising time. Looks whether its place is known.
   void Add(Keyframe keyframe);
   /// Closes all loops that are there.
-  void Finish() { graph_.Finish(); }
+  void Finish();
 
   const PoseGraph& graph() const { return graph_.graph(); }
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }

@@ -34,7 +34,7 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);
   config.check.relocaliser.min_inliers = config.check.verifier.min_inliers;
-  config.graph.delay_keyframes = integer("delay_keyframes", 0, 1000, config.graph.delay_keyframes);
+  config.graph.delay_frames = integer("delay_frames", 0, 1000, config.graph.delay_frames);
   config.graph.options.identity_weights =
       reader.Boolean("identity_weights", config.graph.options.identity_weights);
   config.graph.options.check_loops =

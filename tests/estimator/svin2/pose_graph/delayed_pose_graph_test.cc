@@ -22,7 +22,7 @@ Course CourseOf(int delay, Worker* worker) {
   SyntheticDive dive({});
   std::vector<PoseGraphEdge> loops = dive.TrueLoops(110, 200, 4);
   DelayedPoseGraphConfig config;
-  config.delay_keyframes = delay;
+  config.delay_frames = delay;
   DelayedPoseGraph graph(config, worker);
   Course course;
   auto loop = loops.begin();
@@ -76,18 +76,24 @@ TEST(DelayedPoseGraph, FinishUsesAllThereIs) {
     EXPECT_LT(late[k].BoxMinus(at_once[k]).norm(), 1e-4) << k;
 }
 
-TEST(DelayedPoseGraph, LoopsThatComeLateCountFromTheNextKeyframe) {
+TEST(DelayedPoseGraph, GlimpsesFindLoopsAtOnce) {
   SyntheticDive dive({});
   DelayedPoseGraphConfig config;
-  config.delay_keyframes = 2;
+  config.delay_frames = 2;
   DelayedPoseGraph graph(config, nullptr);
   std::vector<std::int64_t> applied_at;
   for (std::int64_t k = 0; k < 130; ++k) {
     const std::vector<PoseGraphEdge> edges(k > 0 ? 1 : 0, dive.Step(k));
     if (graph.AddKeyframe(dive.Node(k), edges)) applied_at.push_back(k);
-    if (k == 120) graph.AddEdge(dive.TrueLoop(15, 115));
+    if (k == 120) {
+      EXPECT_FALSE(graph.AddGlimpse(dive.TrueLoop(15, 115)));
+    }
   }
-  EXPECT_EQ(applied_at, std::vector<std::int64_t>{123});
+  EXPECT_EQ(applied_at, std::vector<std::int64_t>{122});
+  // They count as frames, too, where keyframes are rare.
+  EXPECT_FALSE(graph.AddGlimpse(dive.TrueLoop(16, 116)));
+  EXPECT_FALSE(graph.AddGlimpse(std::nullopt));
+  EXPECT_TRUE(graph.AddGlimpse(std::nullopt));
   ASSERT_TRUE(graph.report().has_value());
   EXPECT_TRUE(graph.report()->converged);
 }
@@ -105,7 +111,7 @@ TEST(DelayedPoseGraph, MayBeGivenUpUnderWay) {
 
 TEST(DelayedPoseGraph, RefusesANegativeDelay) {
   DelayedPoseGraphConfig config;
-  config.delay_keyframes = -1;
+  config.delay_frames = -1;
   EXPECT_THROW(DelayedPoseGraph(config, nullptr), std::logic_error);
 }
 

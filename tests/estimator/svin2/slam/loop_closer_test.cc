@@ -268,6 +268,7 @@ TEST(LoopCloser, TenFalseLoopsDoLittleHarm) {
     const auto closer = Close(rounds, SmallConfig());
     EXPECT_GE(NumFalse(rounds, *closer), 10) << "were verified";
     EXPECT_LT(WorstLoop(rounds, *closer), 0.1) << "none of those is believed";
+    EXPECT_THAT(closer->TakeEvents().back().message, ::testing::HasSubstr("contradict odometry"));
     EXPECT_LT(CorrectedError(rounds, *closer), 1.2 * clean) << seed;
     // They would do harm.
     LoopCloserConfig trusting = SmallConfig();
