@@ -1,6 +1,5 @@
 #include "estimator/svin2/loop/local_map.h"
 
-#include <algorithm>
 #include <optional>
 #include <unordered_set>
 
@@ -9,14 +8,15 @@
 namespace drydock::svin2 {
 namespace {
 
+double Square(double x) { return x * x; }
+
 class LocalMap {
  public:
   LocalMap(const StereoGeometry& rig, const Keyframe& centre) : rig_(rig), map_(centre) {
     for (const KeyframePoint& point : centre.points) known_.insert(point.id);
   }
 
-  void Add(const Keyframe& neighbour) {
-    const Pose T_centre_neighbour = map_.T_WI.Inverse() * neighbour.T_WI;
+  void Add(const Keyframe& neighbour, const Pose& T_centre_neighbour) {
     for (const KeyframePoint& point : neighbour.points) {
       if (!point.p_I.has_value()) continue;
       const auto moved = Moved(point, T_centre_neighbour * *point.p_I);
@@ -42,18 +42,50 @@ class LocalMap {
   std::unordered_set<LandmarkId> known_;  // Asked only, never gone through.
 };
 
+bool IsSure(const LocalMapConfig& config, const std::optional<OdometryLink>& link) {
+  return link.has_value() &&
+         link->covariance.topLeftCorner<3, 3>().trace() <= Square(config.max_sigma_m) &&
+         link->covariance.bottomRightCorner<3, 3>().trace() <= Square(config.max_sigma_rad);
+}
+
+/// Goes from keyframe to keyframe as long as odometry is sure of the way.
+class Walk {
+ public:
+  Walk(const LocalMapConfig& config, const std::vector<Keyframe>& keyframes, std::size_t at)
+      : config_(config), keyframes_(keyframes), at_(at) {}
+
+  bool Forward() {
+    if (at_ + 1 == keyframes_.size() || !IsSure(config_, keyframes_[at_ + 1].link)) return false;
+    T_start_at_ = T_start_at_ * keyframes_[++at_].link->T_before_now;
+    return true;
+  }
+  bool Back() {
+    if (at_ == 0 || !IsSure(config_, keyframes_[at_].link)) return false;
+    T_start_at_ = T_start_at_ * keyframes_[at_--].link->T_before_now.Inverse();
+    return true;
+  }
+  void AddTo(LocalMap& map) const { map.Add(keyframes_[at_], T_start_at_); }
+
+ private:
+  const LocalMapConfig& config_;
+  const std::vector<Keyframe>& keyframes_;
+  std::size_t at_;
+  Pose T_start_at_;
+};
+
 }  // namespace
 
-Keyframe LocalMapAround(const StereoGeometry& rig, const std::vector<Keyframe>& keyframes,
-                        std::size_t at, int reach) {
+Keyframe LocalMapAround(const StereoGeometry& rig, const LocalMapConfig& config,
+                        const std::vector<Keyframe>& keyframes, std::size_t at) {
   LocalMap map(rig, keyframes[at]);
-  const auto add = [&](std::size_t k) {
-    if (keyframes[k].map_id == keyframes[at].map_id) map.Add(keyframes[k]);
-  };
+  Walk before(config, keyframes, at), after(config, keyframes, at);
+  bool goes_back = true, goes_on = true;
   // The nearest first: of a landmark that several have, theirs counts.
-  for (std::size_t step = 1; step <= static_cast<std::size_t>(std::max(0, reach)); ++step) {
-    if (step <= at) add(at - step);
-    if (at + step < keyframes.size()) add(at + step);
+  for (int step = 0; step < config.reach; ++step) {
+    goes_back = goes_back && before.Back();
+    if (goes_back) before.AddTo(map);
+    goes_on = goes_on && after.Forward();
+    if (goes_on) after.AddTo(map);
   }
   return map.Take();
 }

@@ -278,8 +278,16 @@ void Svin2::Publish(const TrackedFrame& seen) {
   estimate.map_id = map_id_;
   latest_ = estimate;
   // Where a new map begins, the lost one has published this frame already.
-  if (!odometry_.empty() && odometry_.back().t == estimate.state.t) odometry_.pop_back();
+  if (!odometry_.empty() && odometry_.back().t == estimate.state.t) {
+    odometry_.pop_back();
+    position_sigmas_.pop_back();
+  }
   odometry_.push_back({estimate.state.t, estimate.state.T_WI});
+  const double last_sigma = position_sigmas_.empty() ? 0.0 : position_sigmas_.back();
+  position_sigmas_.push_back(
+      estimate.pose_covariance
+          ? std::sqrt(std::max(0.0, estimate.pose_covariance->topLeftCorner<3, 3>().trace()))
+          : last_sigma);
 }
 
 void Svin2::SayStatus(TrackingStatus before, const NavEstimate& now) {

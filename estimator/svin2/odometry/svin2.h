@@ -40,6 +40,8 @@ class Svin2 final : public Estimator {
 
   std::optional<NavEstimate> Latest() const override { return latest_; }
   const Trajectory& Odometry() const override { return odometry_; }
+  /// Standard deviation of each one's position [m]: what is not known is that of the one before.
+  const std::vector<double>& PositionSigmas() const { return position_sigmas_; }
   /// The landmarks that have left the window, and the echoes.
   EstimatedMap Map() const override;
   std::vector<EstimatorEvent> TakeEvents() override;
@@ -103,6 +105,7 @@ class Svin2 final : public Estimator {
 
   std::optional<NavEstimate> latest_;
   Trajectory odometry_;
+  std::vector<double> position_sigmas_;
   int map_id_ = 0;
   int refused_imu_ = 0, refused_frames_ = 0, refused_depths_ = 0, refused_pings_ = 0;
   std::vector<EstimatorEvent> events_;

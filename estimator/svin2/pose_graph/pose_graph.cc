@@ -8,6 +8,11 @@
 
 namespace drydock::svin2 {
 
+std::optional<Pose> CorrectionBetween(const Pose& T_WI, const Pose& T_GI) {
+  if (T_GI.p() == T_WI.p() && T_GI.q().coeffs() == T_WI.q().coeffs()) return std::nullopt;
+  return T_GI * T_WI.Inverse();
+}
+
 PoseGraph::PoseGraph(const LoopCheckConfig& loop_check) : consistency_(loop_check) {
   Check(loop_check.max_chi2 > 0.0 && loop_check.sigma_factor > 0.0,
         "the bound and the factor of the check on loops must be above 0");
@@ -63,16 +68,12 @@ void PoseGraph::Apply(const PoseGraphResult& result) {
 }
 
 Pose PoseGraph::CorrectionOf(std::size_t node) const {
-  const Pose &in_G = T_GI_[node], &in_W = nodes_[node].T_WI;
-  // Without the rounding of the product: what is not corrected keeps its bits.
-  if (in_G.p() == in_W.p() && in_G.q().coeffs() == in_W.q().coeffs()) return Pose::Identity();
-  return in_G * in_W.Inverse();
+  return CorrectionBetween(nodes_[node].T_WI, T_GI_[node]).value_or(Pose::Identity());
 }
 
 void PoseGraph::CarryAlong(std::size_t first) {
   for (std::size_t k = first; k < nodes_.size(); ++k) {
-    const bool follows = k > 0 && nodes_[k].map_id == nodes_[k - 1].map_id;
-    T_GI_[k] = follows ? CorrectionOf(k - 1) * nodes_[k].T_WI : nodes_[k].T_WI;
+    T_GI_[k] = k > 0 ? CorrectionOf(k - 1) * nodes_[k].T_WI : nodes_[k].T_WI;
   }
 }
 

@@ -2,6 +2,7 @@
 // relocalization", eq. 17 and 18).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,18 +12,23 @@
 
 namespace drydock::svin2 {
 
+/// What takes a pose in odometry's frame to the graph's; nothing, rather than the rounding of a
+/// product, where they are the same bits.
+std::optional<Pose> CorrectionBetween(const Pose& T_WI, const Pose& T_GI);
+
 /// Keyframes, and edges that say where one is as seen from another. Grows by a node at a time;
 /// memory is linear in nodes and edges. G is the graph's frame: where W would be had odometry not
 /// drifted.
 ///
 /// What no edge ties to each other are components: maps, until a believed loop edge merges them.
-/// The oldest node of a component stays where odometry has it, which fixes the component's gauge,
-/// and a component without a believed loop edge stays as odometry has it altogether.
+/// The oldest node of the graph stays where odometry has it. Odometry lays a new map where the one
+/// before has brought it: so the oldest node of another component has the correction of the node
+/// before it. A component without a believed loop edge keeps odometry's shape.
 class PoseGraph {
  public:
   explicit PoseGraph(const LoopCheckConfig& loop_check = {});
 
-  /// Until the next Optimise() and Apply() the node moves with the node before it in its map.
+  /// Until the next Optimise() and Apply() the node moves with the node before it.
   void AddNode(const PoseGraphNode& node);
   /// Both nodes must be there; a sequence edge leads to the newest one. Odometry's drift is
   /// reckoned along the first sequence edge between each node and the one before it.
@@ -33,7 +39,7 @@ class PoseGraph {
   /// may run on a copy while this one grows. The same graph gives the same bits.
   PoseGraphResult Optimise(const PoseGraphOptions& options) const;
   /// Takes over a result of this graph or of an earlier copy of it. Nodes added since move by the
-  /// correction of the last node of their map that was optimised.
+  /// correction of the last node that was optimised.
   void Apply(const PoseGraphResult& result);
 
   const std::vector<PoseGraphNode>& nodes() const { return nodes_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <ceres/loss_function.h>
@@ -78,7 +79,7 @@ PoseGraphSolver::End PoseGraphSolver::EndsOf(const PoseGraphEdge& edge) const {
 PoseGraphResult PoseGraphSolver::Solve() {
   JoinComponents();
   PlaceParts();
-  Minimise();
+  if (Minimise()) FollowOn();
   return std::move(result_);
 }
 
@@ -134,7 +135,7 @@ void PoseGraphSolver::PlaceParts() {
   }
 }
 
-void PoseGraphSolver::Minimise() {
+bool PoseGraphSolver::Minimise() {
   const std::size_t count = result_.T_GI.size();
   PoseManifold manifold;
   ceres::HuberLoss huber(options_.identity_weights ? options_.huber_identity
@@ -157,7 +158,7 @@ void PoseGraphSolver::Minimise() {
                         node.level->tilt),
         nullptr, states[k].data());
   }
-  if (problem.NumParameterBlocks() == 0) return;
+  if (problem.NumParameterBlocks() == 0) return true;
   const auto add = [&](const PoseGraphEdge& edge, ceres::LossFunction* loss) {
     const End ends = EndsOf(edge);
     if (!has_loop_[components_.SmallestOf(ends.to)]) return;
@@ -180,11 +181,24 @@ void PoseGraphSolver::Minimise() {
   report.usable = summary.IsSolutionUsable();
   if (!report.usable) {
     result_.T_GI = graph_.T_GI();
-    return;
+    return false;
   }
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t oldest = components_.SmallestOf(k);
     if (has_loop_[oldest] && oldest != k) result_.T_GI[k] = FromParameters(states[k].data());
+  }
+  return true;
+}
+
+void PoseGraphSolver::FollowOn() {
+  std::vector<Pose>& T_GI = result_.T_GI;
+  // By a component's oldest node, which lies where odometry has it.
+  std::vector<std::optional<Pose>> motions(T_GI.size());
+  for (std::size_t k = 0; k < T_GI.size(); ++k) {
+    const std::size_t oldest = components_.SmallestOf(k);
+    if (oldest == k && k > 0)
+      motions[k] = CorrectionBetween(graph_.nodes()[k - 1].T_WI, T_GI[k - 1]);
+    if (motions[oldest]) T_GI[k] = *motions[oldest] * T_GI[k];
   }
 }
 

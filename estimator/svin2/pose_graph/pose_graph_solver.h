@@ -37,7 +37,10 @@ class PoseGraphSolver {
   /// Moves each rigid part as a whole to where the first loop that ties it to its component has it.
   void PlaceParts();
   void MovePart(std::size_t part, const Pose& motion);
-  void Minimise();
+  /// False: there is no solution, and nothing is moved.
+  bool Minimise();
+  /// Moves components as the node before their oldest has been moved.
+  void FollowOn();
 
   const PoseGraph& graph_;
   PoseGraphOptions options_;

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "estimator/svin2/loop/keyframe_landmarks.h"
-#include "estimator/svin2/loop/local_map.h"
 #include "estimator/svin2/loop/loop_edge.h"
 #include "sensors_models/base/check.h"
 
@@ -149,7 +148,7 @@ std::optional<LoopCloser::Loop> LoopCloser::Verify(const Keyframe& now, const Ba
   const StageClock::Lap lap(clock_, "loop verification");
   for (const auto& [then, T_then_now] : candidates) {
     const Keyframe& old = keyframes_[then];
-    const Keyframe around = LocalMapAround(rig_, keyframes_, then, config_.local_map_reach);
+    const Keyframe around = LocalMapAround(rig_, config_.local_map, keyframes_, then);
     Relocalisation found =
         checker_.Check(now, bag.index, old, places_.DirectIndexOf(old.index), around, T_then_now);
     if (found.IsGood()) return Loop{then, std::move(found)};

@@ -30,7 +30,7 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.max_verified = integer("max_verified", 0, 100, config.max_verified);
   config.max_pairs = integer("max_pairs", 0, 1e9, config.max_pairs);
   reader.OptionalMap("nearby", [&](YamlReader& nearby) { ReadNearby(nearby, config.nearby); });
-  config.local_map_reach = integer("local_map_reach", 0, 100, config.local_map_reach);
+  config.local_map.reach = integer("local_map_reach", 0, 100, config.local_map.reach);
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);
   config.check.relocaliser.min_inliers = config.check.verifier.min_inliers;

@@ -1,6 +1,7 @@
 // How loops are closed.
 #pragma once
 
+#include "estimator/svin2/loop/local_map.h"
 #include "estimator/svin2/loop/loop_checker.h"
 #include "estimator/svin2/places/candidate_consistency.h"
 #include "estimator/svin2/places/place_database.h"
@@ -30,9 +31,8 @@ struct LoopCloserConfig {
   int max_verified = 3;     ///< Candidates by looks that are verified, the best first,
   int max_pairs = 100'000;  ///< and more of them while so few pairs of points are to be compared.
   NearbyRule nearby;
-  int index_level = 2;  ///< Points are compared below one node, so many steps from the root.
-  /// Geometry looks for points also in what so many keyframes before and after a candidate know.
-  int local_map_reach = 2;
+  int index_level = 2;       ///< Points are compared below one node, so many steps from the root.
+  LocalMapConfig local_map;  ///< In which geometry looks for the points of a candidate's place.
   LoopChecker::Config check;
   DelayedPoseGraphConfig graph;
 };

@@ -72,7 +72,7 @@ std::optional<NavEstimate> Svin2Slam::Latest() const {
 }
 
 Trajectory Svin2Slam::Corrected() const {
-  return svin2::Corrected(loops_.graph(), odometry_->Odometry());
+  return svin2::Corrected(loops_.graph(), odometry_->Odometry(), odometry_->PositionSigmas());
 }
 
 EstimatedMap Svin2Slam::Map() const {

@@ -154,9 +154,28 @@ TEST_F(PoseGraphTest, MapsAreApartUntilALoopTiesThem) {
   // What follows in the new map is corrected from the start.
   Node(6, T_GW.Inverse() * At(6), 1);
   EXPECT_LT(T_GI(6).BoxMinus(At(6)).norm(), 1e-6);
-  // What begins yet another map is not.
-  Node(7, At(70), 2);
-  EXPECT_EQ(T_GI(7).p(), At(70).p());
+}
+
+// Odometry lays a new map where the one before has brought it.
+TEST_F(PoseGraphTest, AMapThatNothingTiesFollowsTheOneBefore) {
+  Line(3);
+  const Pose T_GW(FromYawPitchRoll(1.0, 0, 0), {-5, 0, 2});
+  for (int k = 3; k < 6; ++k) {
+    Node(k, T_GW.Inverse() * At(k), 1);
+    if (k > 3) Edge(k - 1, k, At(1));
+  }
+  Edge(1, 4, At(3), EdgeKind::kLoop, 0.01);
+  for (int k = 6; k < 8; ++k) Node(k, T_GW.Inverse() * At(k), 2);
+  Edge(6, 7, At(1));
+  EXPECT_EQ(Optimise().components, 2);
+  for (std::size_t k = 0; k < 8; ++k)
+    EXPECT_LT(T_GI(k).BoxMinus(At(static_cast<double>(k))).norm(), 1e-6) << k;
+  // From the start, too.
+  Node(8, T_GW.Inverse() * At(8), 3);
+  EXPECT_LT(T_GI(8).BoxMinus(At(8)).norm(), 1e-6);
+  // And again, as it is.
+  Optimise();
+  EXPECT_LT(T_GI(8).BoxMinus(At(8)).norm(), 1e-6);
 }
 
 TEST_F(PoseGraphTest, AMapIsTiedOverAnotherOne) {

@@ -1,5 +1,8 @@
 #include "estimator/svin2/pose_graph/trajectory_correction.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/estimator/svin2/pose_graph/synthetic_graph.h"
@@ -56,6 +59,19 @@ TEST(TrajectoryCorrection, GoesEvenlyFromKeyframeToKeyframe) {
     const double expected = t < 0 ? 0 : t < 1 ? t : t < 2 ? 2 - t : 0;
     EXPECT_NEAR(corrected[k].T_WI.p().y(), expected, 1e-12) << t;
     EXPECT_NEAR(corrected[k].T_WI.p().x(), t, 1e-12);
+  }
+}
+
+// Blind from 0.5 to 1 s: that is where it drifted.
+TEST(TrajectoryCorrection, GrowsAsOdometryDoubtsItself) {
+  const Trajectory odometry = Odometry();
+  std::vector<double> sigmas(odometry.size(), 0.01);
+  for (std::size_t k = 0; k < odometry.size(); ++k)
+    sigmas[k] += std::clamp(2.0 * (odometry[k].t.Seconds() - 0.5), 0.0, 1.0);
+  const Trajectory corrected = Corrected(Graph({At(0), At(1), At(1)}), odometry, sigmas);
+  for (const StampedPose& pose : corrected) {
+    const double t = pose.t.Seconds();
+    EXPECT_NEAR(pose.T_WI.p().x(), t + std::clamp(2.0 * (t - 0.5), 0.0, 1.0), 1e-5) << t;
   }
 }
 

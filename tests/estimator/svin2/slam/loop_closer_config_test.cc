@@ -54,7 +54,7 @@ TEST(LoopCloserConfig, ReadsWhatIsSaid) {
   EXPECT_EQ(config.nearby.max_angle_rad, 0.3);
   EXPECT_EQ(config.nearby.max_drift_sigma_m, 0.2);
   EXPECT_EQ(config.nearby.max_candidates, 2);
-  EXPECT_EQ(config.local_map_reach, 3);
+  EXPECT_EQ(config.local_map.reach, 3);
   EXPECT_TRUE(config.graph.options.identity_weights);
   EXPECT_FALSE(config.graph.options.check_loops);
 }
