@@ -55,6 +55,22 @@ TEST(PlaceDatabase, ScoresAreThoseOfTheVectors) {
   }
 }
 
+// With the vocabulary that comes with Drydock: 300 images of one world, each of which finds itself.
+TEST(PlaceDatabase, FindsEachKeyframeByItself) {
+  const Vocabulary vocabulary = Vocabulary::Load(Vocabulary::DefaultPath());
+  const auto images = testing::SyntheticImages(300, 400, 80, 5);
+  PlaceDatabase database(vocabulary.words());
+  for (std::size_t i = 0; i < images.size(); ++i)
+    database.Add(static_cast<KeyframeIndex>(i), vocabulary.Transform(images[i], 2));
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const auto found = database.Query(vocabulary.Transform(images[i], 2).words, 300, 0.0);
+    ASSERT_GE(found.size(), 2U);
+    EXPECT_EQ(found[0].keyframe, static_cast<KeyframeIndex>(i));
+    EXPECT_NEAR(found[0].score, 1.0, 1e-6);
+    EXPECT_LT(found[1].score, 0.9);
+  }
+}
+
 TEST(PlaceDatabase, LeavesOutTheWindowAndWhatIsUnlike) {
   const PlaceDatabase database = FourPlaces();
   EXPECT_THAT(database.Query(kQuery, 5, 0.0), ElementsAre(PlaceMatch{3, 1.0}));
