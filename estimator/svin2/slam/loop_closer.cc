@@ -160,7 +160,10 @@ std::optional<LoopCloser::Loop> LoopCloser::Verify(const Keyframe& now, const Ba
 /// forgotten that one, both are as unsure as if they had nothing in common.
 std::optional<OdometryLink> LoopCloser::LinkOf(const Keyframe& now) const {
   if (keyframes_.empty() || keyframes_.back().map_id != now.map_id) return std::nullopt;
-  if (now.link) return now.link;
+  if (now.link) {
+    const double factor = config_.step_sigma_factor * config_.step_sigma_factor;
+    return OdometryLink{now.link->T_before_now, factor * now.link->covariance};
+  }
   const Keyframe& before = keyframes_.back();
   if (!before.covariance || !now.covariance) return std::nullopt;
   Eigen::Matrix<double, 12, 12> both = Eigen::Matrix<double, 12, 12>::Zero();

@@ -34,6 +34,8 @@ LoopCloserConfig ReadLoopCloserConfig(YamlReader& reader) {
   config.check.verifier.min_inliers =
       integer("min_inliers", 4, 1000, config.check.verifier.min_inliers);
   config.check.relocaliser.min_inliers = config.check.verifier.min_inliers;
+  config.step_sigma_factor =
+      reader.Real("step_sigma_factor", {1.0, 100.0}, config.step_sigma_factor);
   config.graph.delay_frames = integer("delay_frames", 0, 1000, config.graph.delay_frames);
   config.graph.options.identity_weights =
       reader.Boolean("identity_weights", config.graph.options.identity_weights);

@@ -31,6 +31,10 @@ struct LoopCloserConfig {
   int max_verified = 3;     ///< Candidates by looks that are verified, the best first,
   int max_pairs = 100'000;  ///< and more of them while so few pairs of points are to be compared.
   NearbyRule nearby;
+  /// Odometry's steps from keyframe to keyframe have errors that are alike, so that they add up to
+  /// more than their covariances do: standard deviations count so many times. Measured, see
+  /// docs/models.md.
+  double step_sigma_factor = 3.0;
   int index_level = 2;       ///< Points are compared below one node, so many steps from the root.
   LocalMapConfig local_map;  ///< In which geometry looks for the points of a candidate's place.
   LoopChecker::Config check;

@@ -38,7 +38,8 @@ TEST(LoopCloserConfig, NothingSaidLeavesTheDefaults) {
 TEST(LoopCloserConfig, ReadsWhatIsSaid) {
   const LoopCloserConfig config = Read(
       "max_tracked: 12\nmin_age_s: 5\nneighbour_share: 0.6\nmin_score: 0.01\n"
-      "consistent_keyframes: 3\nmax_verified: 1\nmin_inliers: 20\ndelay_frames: 3\n"
+      "consistent_keyframes: 3\nmax_verified: 1\nmin_inliers: 20\n"
+      "step_sigma_factor: 1.5\ndelay_frames: 3\n"
       "nearby: {max_distance_m: 1, max_angle_rad: 0.3, max_drift_sigma_m: 0.2, max_candidates: 2}\n"
       "local_map_reach: 3\nidentity_weights: true\ncheck_loops: false\n");
   EXPECT_EQ(config.max_tracked, 12);
@@ -49,6 +50,7 @@ TEST(LoopCloserConfig, ReadsWhatIsSaid) {
   EXPECT_EQ(config.max_verified, 1);
   EXPECT_EQ(config.check.verifier.min_inliers, 20);
   EXPECT_EQ(config.check.relocaliser.min_inliers, 20);
+  EXPECT_EQ(config.step_sigma_factor, 1.5);
   EXPECT_EQ(config.graph.delay_frames, 3);
   EXPECT_EQ(config.nearby.max_distance_m, 1.0);
   EXPECT_EQ(config.nearby.max_angle_rad, 0.3);

@@ -239,6 +239,18 @@ TEST(LoopCloser, IsAsUnsureAsOdometryWhereTheWindowForgotTheKeyframeBefore) {
   EXPECT_LT(CorrectedError(rounds, *closer), 0.6 * OdometryError(rounds, *closer));
 }
 
+// Their errors are alike, and add up to more than independent ones would.
+TEST(LoopCloser, StepsOfOdometryCountAsLessSureThanTheySay) {
+  const Rounds rounds = MakeRounds();
+  LoopCloserConfig config = SmallConfig();
+  config.step_sigma_factor = 2.0;
+  const auto closer = Close(rounds, config);
+  for (std::size_t k = 1; k < rounds.keyframes.size(); ++k) {
+    EXPECT_EQ(closer->graph().links()[k - 1].covariance,
+              4.0 * rounds.keyframes[k].link->covariance);
+  }
+}
+
 // Were it tracked all the way round, the window would know all about it.
 TEST(LoopCloser, WhatIsStillTrackedIsNoCandidate) {
   const Rounds rounds = MakeRounds({.still_tracked = true});
