@@ -55,7 +55,8 @@ Trajectory Corrected(const PoseGraph& graph, const Trajectory& odometry,
       T_GW = graph.CorrectionOf(next);
     } else {
       const double before = doubt_at(nodes[next - 1]);
-      const double share = (doubts[k] - before) / (doubt_at(nodes[next]) - before);
+      const double grown = doubt_at(nodes[next]) - before;  // 0 only where frames are missing.
+      const double share = grown > 0.0 ? std::clamp((doubts[k] - before) / grown, 0.0, 1.0) : 1.0;
       T_GW = Between(graph.CorrectionOf(next - 1), graph.CorrectionOf(next), share);
     }
     frame.T_WI = T_GW * frame.T_WI;
