@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "estimator/registry/registry.h"
-#include "scenarios/scoring/loops.h"
 #include "scenarios/scoring/scorecard.h"
 
 namespace drydock::testing {
@@ -58,14 +57,19 @@ std::optional<Time> FirstCorrection(const Trajectory& live, const Trajectory& od
 
 }  // namespace
 
+score::LoopScore ScoreLoops(const RecordedDive& dive, const Estimator& estimator) {
+  std::vector<score::Loop> loops;
+  for (const LoopClosure& loop : estimator.Loops())
+    loops.push_back({loop.t_now, loop.t_then, loop.T_then_now});
+  return score::ScoreLoops(dive.truth, loops);
+}
+
 DarkTrial RunInTheDark(const RecordedDive& dive, Time dark, Time light) {
   const std::unique_ptr<Estimator> svin2 = FindEstimator("svin2").make(dive.rig, NoOptions());
   const Trajectory live = RunLive(dive, dark, light, *svin2);
   DarkTrial trial;
-  std::vector<score::Loop> loops;
-  for (const LoopClosure& loop : svin2->Loops())
-    loops.push_back({loop.t_now, loop.t_then, loop.T_then_now});
-  const score::LoopScore score = score::ScoreLoops(dive.truth, loops);
+  const std::vector<LoopClosure> loops = svin2->Loops();
+  const score::LoopScore score = ScoreLoops(dive, *svin2);
   trial.loops = score.judged;
   trial.true_loops = score.true_loops;
   if (const auto latest = svin2->Latest()) trial.maps = 1 + latest->map_id;

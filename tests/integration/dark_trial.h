@@ -5,9 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "estimator/interface/estimator.h"
+#include "scenarios/scoring/loops.h"
 #include "tests/integration/recorded_dive.h"
 
 namespace drydock::testing {
+
+/// The estimator's loops, by the truth.
+score::LoopScore ScoreLoops(const RecordedDive& dive, const Estimator& estimator);
 
 /// How it came back.
 struct DarkTrial {

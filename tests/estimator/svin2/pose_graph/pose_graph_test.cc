@@ -41,6 +41,16 @@ class PoseGraphTest : public ::testing::Test {
       if (k > 0) Edge(k - 1, k, At(1));
     }
   }
+  /// Three nodes, and three more of another map, laid down 5 m too far and turned by 1 rad.
+  Pose LineThatGoesOnElsewhere() {
+    Line(3);
+    const Pose T_GW(FromYawPitchRoll(1.0, 0, 0), {-5, 0, 2});
+    for (int k = 3; k < 6; ++k) {
+      Node(k, T_GW.Inverse() * At(k), 1);
+      if (k > 3) Edge(k - 1, k, At(1));
+    }
+    return T_GW;
+  }
   const Pose& T_GI(std::size_t k) const { return graph_.T_GI()[k]; }
   PoseGraphReport Optimise(const PoseGraphOptions& options = {}) {
     const PoseGraphResult result = graph_.Optimise(options);
@@ -137,13 +147,7 @@ TEST_F(PoseGraphTest, CovisibleEdgesCount) {
 }
 
 TEST_F(PoseGraphTest, MapsAreApartUntilALoopTiesThem) {
-  Line(3);
-  // Laid down 5 m too far, and turned by 1 rad.
-  const Pose T_GW(FromYawPitchRoll(1.0, 0, 0), {-5, 0, 2});
-  for (int k = 3; k < 6; ++k) {
-    Node(k, T_GW.Inverse() * At(k), 1);
-    if (k > 3) Edge(k - 1, k, At(1));
-  }
+  const Pose T_GW = LineThatGoesOnElsewhere();
   EXPECT_EQ(Optimise().components, 2);
   EXPECT_LT(T_GI(5).BoxMinus(T_GW.Inverse() * At(5)).norm(), 1e-12);
   Edge(1, 4, At(3), EdgeKind::kLoop, 0.01);
@@ -158,12 +162,7 @@ TEST_F(PoseGraphTest, MapsAreApartUntilALoopTiesThem) {
 
 // Odometry lays a new map where the one before has brought it.
 TEST_F(PoseGraphTest, AMapThatNothingTiesFollowsTheOneBefore) {
-  Line(3);
-  const Pose T_GW(FromYawPitchRoll(1.0, 0, 0), {-5, 0, 2});
-  for (int k = 3; k < 6; ++k) {
-    Node(k, T_GW.Inverse() * At(k), 1);
-    if (k > 3) Edge(k - 1, k, At(1));
-  }
+  const Pose T_GW = LineThatGoesOnElsewhere();
   Edge(1, 4, At(3), EdgeKind::kLoop, 0.01);
   for (int k = 6; k < 8; ++k) Node(k, T_GW.Inverse() * At(k), 2);
   Edge(6, 7, At(1));
