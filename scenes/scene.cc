@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "scenes/bus/bus_scene.h"
+#include "scenes/cave/cave_scene.h"
+#include "scenes/cemetery/cemetery_scene.h"
 #include "scenes/columns/columns_scene.h"
 #include "sensors_models/base/check.h"
 #include "sensors_models/base/files.h"
@@ -19,6 +21,21 @@ std::vector<SceneEntry> Scenes() {
        columns::kColumnsVersion,
        [](std::uint64_t seed, const fs::path& directory) {
          columns::GenerateColumns(seed, directory);
+       }},
+      {"cavern1", "a flooded cave: a ballroom in limestone around a pillar in fallen blocks",
+       cave::kCaveVersion,
+       [](std::uint64_t seed, const fs::path& directory) {
+         cave::GenerateCave(cave::Cavern1Plan(), seed, directory);
+       }},
+      {"cavern2", "a flooded cave: two rooms in limestone and the passage between them",
+       cave::kCaveVersion,
+       [](std::uint64_t seed, const fs::path& directory) {
+         cave::GenerateCave(cave::Cavern2Plan(), seed, directory);
+       }},
+      {"cemetery", "rows of gravestones, weed and leaves on the silt of a lake",
+       cemetery::kCemeteryVersion,
+       [](std::uint64_t seed, const fs::path& directory) {
+         cemetery::GenerateCemetery(seed, directory);
        }},
   };
 }

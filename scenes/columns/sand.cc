@@ -32,10 +32,12 @@ void AddSand(SceneModel& model, const Sand& sand) {
   for (int j = 0; j < kTilesY; ++j) {
     for (int i = 0; i < kTilesX; ++i) {
       const Vector2d corner = kCorner + kSandTile * Vector2d(i, j);
-      model.Add("sand", "sand", GridSheet(kCells, kCells, [&](double s, double t) -> SurfacePoint {
-                  const Vector2d p = corner + kSandTile * Vector2d(s, t);
-                  return {{p.x(), p.y(), sand.Height(p.x(), p.y())}, {s, 1.0 - t}};
-                }));
+      const auto height = [&](const Vector2d& p) { return sand.Height(p.x(), p.y()); };
+      const auto uv = [&](const Vector2d& p) -> Vector2d {
+        const Vector2d place = (p - corner) / kSandTile;
+        return {place.x(), 1.0 - place.y()};
+      };
+      model.Add("sand", "sand", GroundTile(corner, kSandTile, kCells, height, uv));
     }
   }
 }

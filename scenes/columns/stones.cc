@@ -1,10 +1,6 @@
 #include "scenes/columns/stones.h"
 
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-
-#include "scenes/mesh/lattice_noise.h"
+#include "scenes/mesh/plate.h"
 #include "scenes/mesh/shapes.h"
 
 namespace drydock::scenes::columns {
@@ -13,16 +9,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kStonePeriod = 1.7;  // [m], of the texture
-constexpr std::uint64_t kWear = 11;   // Of shapes alone: the same wear on every copy of any seed.
-
-/// Wear of some millimetres. A function of the place, so that what was closed stays so.
-void Wear(Mesh& mesh) {
-  for (Vector3d& p : mesh.positions) {
-    const Vector3d q = p / 0.22;
-    p += 0.014 * Vector3d(Fbm3(q, 2, kWear), Fbm3(q, 2, kWear + 1), Fbm3(q, 2, kWear + 2));
-  }
-  mesh.ComputeSmoothNormals();
-}
 
 Mesh Block(double z_low, const Vector3d& size, const Vector2d& shift) {
   return Box({0.0, 0.0, z_low + 0.5 * size.z()}, size, {kStonePeriod, shift}, 0.03, 2);
@@ -34,54 +20,9 @@ constexpr double kSlabFoot = 0.16;       // [m]
 constexpr double kSlabShoulder = 1.10;   // [m]
 constexpr double kSlabTop = kSlabShoulder + kSlabHalf;
 
-/// The slab's outline in x and z, counter-clockwise seen against y.
-std::vector<Vector2d> SlabOutline() {
-  constexpr int kArc = 14;
-  std::vector<Vector2d> outline = {{-kSlabHalf, kSlabFoot}, {kSlabHalf, kSlabFoot}};
-  for (int i = 0; i <= kArc; ++i) {
-    const double angle = std::numbers::pi * i / kArc;
-    outline.emplace_back(kSlabHalf * std::cos(angle), kSlabShoulder + kSlabHalf * std::sin(angle));
-  }
-  return outline;
-}
-
-/// One face of the slab; both show the picture upright.
-Mesh SlabFace(const std::vector<Vector2d>& outline, bool front) {
-  const double side = front ? -1.0 : 1.0;
-  Mesh face;
-  const auto add = [&](const Vector2d& p) {
-    const Vector2d uv(0.5 - side * 0.5 * p.x() / kSlabHalf,
-                      (kSlabTop - p.y()) / (kSlabTop - kSlabFoot));
-    return face.AddVertex({p.x(), 0.5 * side * kSlabThickness, p.y()}, side * Vector3d::UnitY(),
-                          uv);
-  };
-  const int middle = add({0.0, 0.7});
-  for (const Vector2d& p : outline) add(p);
-  const int count = static_cast<int>(outline.size());
-  for (int i = 0; i < count; ++i) {
-    const int a = 1 + i;
-    const int b = 1 + (i + 1) % count;
-    face.AddTriangle(middle, front ? a : b, front ? b : a);
-  }
-  return face;
-}
-
-Mesh SlabRim(const std::vector<Vector2d>& outline) {
-  const double half = 0.5 * kSlabThickness;
-  Mesh rim;
-  double along = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vector2d& p = outline[i];
-    const Vector2d& q = outline[(i + 1) % outline.size()];
-    const double next = along + (q - p).norm();
-    const double u = kSlabThickness / kStonePeriod;
-    rim.AddQuad({Vector3d(p.x(), -half, p.y()), Vector3d(p.x(), half, p.y()),
-                 Vector3d(q.x(), half, q.y()), Vector3d(q.x(), -half, q.y())},
-                {Vector2d(0.0, along / kStonePeriod), Vector2d(u, along / kStonePeriod),
-                 Vector2d(u, next / kStonePeriod), Vector2d(0.0, next / kStonePeriod)});
-    along = next;
-  }
-  return rim;
+/// The picture's place on both faces, upright on either.
+Vector2d SlabUv(const Vector2d& p, double side) {
+  return {0.5 - side * 0.5 * p.x() / kSlabHalf, (kSlabTop - p.y()) / (kSlabTop - kSlabFoot)};
 }
 
 }  // namespace
@@ -106,7 +47,8 @@ Stone MakeColumn() {
                       {0.330, 1.68},
                       {0.0, 1.70}},
                      20, 1.0, 1.0, 0.0);
-  Wear(shaft);
+  // Of shapes alone: the same wear on every copy of any seed.
+  Wear(shaft, 0.22, 0.014, 11);
   Mesh all = Block(0.0, {0.80, 0.80, 0.17}, {0.1, 0.4});
   all.Append(shaft);
   return {{"stone", std::move(all)}};
@@ -121,10 +63,13 @@ Stone MakePillar() {
 }
 
 Stone MakeStele() {
-  const std::vector<Vector2d> outline = SlabOutline();
-  Mesh faces = SlabFace(outline, true);
-  faces.Append(SlabFace(outline, false));
-  Mesh rest = SlabRim(outline);
+  const Outline outline = RoundTopOutline(kSlabHalf, kSlabFoot, kSlabShoulder, kSlabHalf, 14);
+  Mesh faces;
+  for (const double side : {-1.0, 1.0}) {
+    faces.Append(PlateFace(outline, {0.0, 0.7}, 0.5 * side * kSlabThickness,
+                           [side](const Vector2d& p) { return SlabUv(p, side); }));
+  }
+  Mesh rest = PlateRim(outline, kSlabThickness, {kStonePeriod, Vector2d::Zero()});
   rest.Append(Block(0.0, {0.96, 0.46, 0.18}, {0.3, 0.2}));
   return {{"inscription", std::move(faces)}, {"stone", std::move(rest)}};
 }

@@ -5,24 +5,12 @@
 #include <numbers>
 
 #include "scenes/columns/sand.h"
+#include "scenes/texture/materials.h"
 #include "scenes/texture/stamps.h"
 #include "scenes/texture/weathering.h"
 
 namespace drydock::scenes::columns {
 namespace {
-
-cv::Mat1b Everywhere(const Canvas& canvas) { return cv::Mat1b(canvas.size(), std::uint8_t{255}); }
-
-/// Pale limestone with pits and lichen.
-void PaintLimestone(Canvas& canvas, const NoiseKeys& keys) {
-  const cv::Mat1f fine = canvas.Noise(0.02, 0.003, 0.85, keys.Key("fine"));
-  canvas.Blend(Everywhere(canvas), canvas.Noise(0.4, 0.004, 0.68, keys.Key("base")),
-               Rgb(92, 88, 76), Rgb(190, 184, 162));
-  canvas.Blend(Coverage(canvas.Noise(0.10, 0.005, 0.7, keys.Key("pits")), 0.13, 0.15), fine,
-               Rgb(40, 38, 32), Rgb(92, 86, 72), 0.8);
-  canvas.Blend(Coverage(canvas.Noise(0.14, 0.004, 0.7, keys.Key("lichen")), 0.07, 0.08), fine,
-               Rgb(160, 154, 126), Rgb(214, 208, 184), 0.85);
-}
 
 void Overgrow(Canvas& canvas, const NoiseKeys& keys) {
   Weathering weathering;
@@ -38,7 +26,7 @@ void Overgrow(Canvas& canvas, const NoiseKeys& keys) {
 cv::Mat3b PaintStone(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "columns/stone");
   Canvas canvas(1.7, 1.7, 480 * scale, Rgb(140, 134, 118), true);
-  PaintLimestone(canvas, keys);
+  scenes::PaintStone(canvas, keys);
   Overgrow(canvas, keys);
   return canvas.image();
 }
@@ -47,7 +35,7 @@ cv::Mat3b PaintStone(std::uint64_t seed, double scale) {
 cv::Mat3b PaintInscription(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "columns/inscription");
   Canvas canvas(0.76, 1.32, 560 * scale, Rgb(140, 134, 118));
-  PaintLimestone(canvas, keys);
+  scenes::PaintStone(canvas, keys);
   const Rgb cut(44, 41, 34);
   const double x = 0.5 * canvas.width();
   const char* lines[] = {"AQUIS", "SUB VNDIS", "LAPIDES", "STANT ORDINE", "MDCCCLIX"};
@@ -81,24 +69,14 @@ cv::Mat1f Ripples(const Canvas& canvas, const NoiseKeys& keys) {
   return ripples;
 }
 
-/// Pebbles and shells; those at the rim are drawn again at the opposite side.
-void Strew(Canvas& canvas, std::uint64_t key) {
-  constexpr int kPebbles = 2600;
-  constexpr int kShells = 150;
+void StrewPebblesAndShells(Canvas& canvas, std::uint64_t key) {
   RandomStream random(key, "strewn");
-  for (int i = 0; i < kPebbles + kShells; ++i) {
-    const double x = random.Uniform(0.0, canvas.width());
-    const double y = random.Uniform(0.0, canvas.height());
-    const double size = random.Uniform();
-    const RandomStream look(random.Bits(), "look");
-    for (const double dx : {-canvas.width(), 0.0, canvas.width()}) {
-      for (const double dy : {-canvas.height(), 0.0, canvas.height()}) {
-        RandomStream same = look;
-        if (i < kPebbles) DrawPebble(canvas, x + dx, y + dy, 0.004 + 0.03 * size * size, same);
-        if (i >= kPebbles) DrawShell(canvas, x + dx, y + dy, 0.015 + 0.04 * size, same);
-      }
-    }
-  }
+  Strew(canvas, 2600, random, [](Canvas& c, double x, double y, double size, RandomStream& look) {
+    DrawPebble(c, x, y, 0.004 + 0.03 * size * size, look);
+  });
+  Strew(canvas, 150, random, [](Canvas& c, double x, double y, double size, RandomStream& look) {
+    DrawShell(c, x, y, 0.015 + 0.04 * size, look);
+  });
 }
 
 cv::Mat3b PaintSand(std::uint64_t seed, double scale) {
@@ -113,7 +91,7 @@ cv::Mat3b PaintSand(std::uint64_t seed, double scale) {
   canvas.Blend(Coverage(canvas.Noise(0.7, 0.006, 0.68, keys.Key("detritus")), 0.12, 0.3), fine,
                Rgb(48, 41, 29), Rgb(92, 82, 60), 0.8);
   canvas.Modulate(fine, 0.10);
-  Strew(canvas, keys.Key("things"));
+  StrewPebblesAndShells(canvas, keys.Key("things"));
   return canvas.image();
 }
 

@@ -246,6 +246,23 @@ Mesh Rock(const Vector3d& size, int cells, double roughness, std::uint64_t key, 
   return mesh;
 }
 
+Mesh GroundTile(const Vector2d& corner, double size, int cells,
+                const std::function<double(const Vector2d&)>& height,
+                const std::function<Vector2d(const Vector2d&)>& uv) {
+  return GridSheet(cells, cells, [&](double s, double t) -> SurfacePoint {
+    const Vector2d p = corner + size * Vector2d(s, t);
+    return {{p.x(), p.y(), height(p)}, uv(p)};
+  });
+}
+
+void Wear(Mesh& mesh, double size, double depth, std::uint64_t key) {
+  for (Vector3d& p : mesh.positions) {
+    const Vector3d q = p / size;
+    p += depth * Vector3d(Fbm3(q, 2, key), Fbm3(q, 2, key + 1), Fbm3(q, 2, key + 2));
+  }
+  mesh.ComputeSmoothNormals();
+}
+
 Mesh Ribbon(const std::vector<Vector3d>& spine, const std::vector<double>& half_widths,
             const Vector3d& side, const UvRect& uv) {
   const int rows = static_cast<int>(spine.size()) - 1;

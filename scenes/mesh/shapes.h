@@ -61,6 +61,16 @@ Mesh Disc(double radius, int segments, const UvRect& uv);
 Mesh Rock(const Eigen::Vector3d& size, int cells, double roughness, std::uint64_t key,
           const TileUv& uv);
 
+/// A square tile of ground of cells x cells, its corner of least x and y at `corner`, `size` wide
+/// [m]: `height` [m] and `uv` are asked at (x, y).
+Mesh GroundTile(const Eigen::Vector2d& corner, double size, int cells,
+                const std::function<double(const Eigen::Vector2d& p)>& height,
+                const std::function<Eigen::Vector2d(const Eigen::Vector2d& p)>& uv);
+
+/// Moves every corner by up to about `depth` [m], with bumps of `size` [m]: worn stone. A function
+/// of the place and the key, so that what was closed stays closed.
+void Wear(Mesh& mesh, double size, double depth, std::uint64_t key);
+
 /// A blade, a leaf or a strip: `spine` with one half width a point, standing across `side`. Seen
 /// from both sides. u across within the rectangle, v from the root (bottom) to the tip (top).
 Mesh Ribbon(const std::vector<Eigen::Vector3d>& spine, const std::vector<double>& half_widths,

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "scenes/texture/canvas.h"
+#include "scenes/texture/materials.h"
 #include "scenes/texture/noise_field.h"
 #include "scenes/texture/stamps.h"
 #include "scenes/texture/weathering.h"
@@ -114,6 +115,38 @@ TEST(Weathering, IsDeterministic) {
 TEST(WritePng, ErrorNamesTheFile) {
   const std::string error = InputErrorOf([&] { WritePng(cv::Mat3b(2, 2), "/nowhere/at/all.png"); });
   EXPECT_NE(error.find("all.png"), std::string::npos);
+}
+
+// What sticks out at one side comes in at the other, and looks the same there.
+TEST(Strew, ThingsWrapRound) {
+  Canvas canvas(1.0, 1.0, 100, Rgb(0, 0, 0), true);
+  RandomStream random(3, "test");
+  Strew(canvas, 200, random, [](Canvas& c, double x, double y, double size, RandomStream& look) {
+    const auto tone = static_cast<std::uint8_t>(100.0 + 155.0 * look.Uniform());
+    FillRectangle(c, {x - 0.03, y - 0.03}, {x + 0.03 * size, y + 0.03}, Rgb(tone, tone, tone));
+  });
+  // Of squares 3 cm wide many lie across the rim; their halves have the same tone.
+  int across = 0;
+  int same = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Rgb left = canvas.image()(i, 0);
+    if (left[0] == 0) continue;
+    ++across;
+    same += canvas.image()(i, 99) == left ? 1 : 0;
+  }
+  EXPECT_GT(across, 10);
+  EXPECT_GT(same, 0.6 * across);
+}
+
+TEST(PaintStone, IsOfItsColors) {
+  const NoiseKeys keys(4, "stone");
+  Canvas pale(0.6, 0.6, 200, Rgb(0, 0, 0));
+  Canvas dark(0.6, 0.6, 200, Rgb(0, 0, 0));
+  PaintStone(pale, keys);
+  const Rgb black(10, 12, 14);
+  PaintStone(dark, keys, {black, black, black, black, black, black});
+  EXPECT_GT(cv::mean(pale.image())[0], 90.0);
+  EXPECT_TRUE(SameBytes(dark.image(), cv::Mat3b(dark.size(), black)));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ const Broken kOptions[] = {
     Options("UnknownEstimator", {"@glide", "--estimator", "crystal-ball", "-o", "result"},
             "estimator is crystal-ball, must be one of dead-reckoning"),
     Options("UnknownRig", {"@glide", "--start-from-truth", "--rig", "trireme", "-o", "result"},
-            "rig is trireme, must be one of svin2_v3, or a path"),
+            "rig is trireme, must be one of "),
     Options("UnknownOption",
             {"@glide", "--estimator", "dead-reckoning", "--start-from-truth", "--set", "glow=3",
              "-o", "result"},

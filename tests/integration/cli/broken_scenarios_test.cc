@@ -142,7 +142,7 @@ const Broken kValues[] = {
     Dive("Nothing", Edit("rig: svin2_v3", "rig:"), ":4: rig is nothing, must be text"),
     Dive("UnknownScene", Edit("name: bus", "name: atlantis"),
          ":3: scene.name is atlantis, must be one of bus"),
-    Dive("UnknownRig", Edit("svin2_v3", "trireme"), ":4: rig is trireme, must be one of svin2_v3"),
+    Dive("UnknownRig", Edit("svin2_v3", "trireme"), ":4: rig is trireme, must be one of "),
     Dive("MissingRigFile", Edit("svin2_v3", "nowhere/rig.yaml"),
          ":4: rig is nowhere/rig.yaml, must be a file that is there"),
     Dive("UnknownEstimatorRig", Edit("  start_from", "  rig: trireme\n  start_from"),

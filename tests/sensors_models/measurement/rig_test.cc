@@ -1,5 +1,6 @@
 #include "sensors_models/measurement/rig.h"
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -42,6 +43,20 @@ TEST(Rig, Svin2Version3LooksForwardAndScansAcross) {
   EXPECT_NEAR(std::abs(axis.x()), 1.0, 1e-12);
   // The left camera is on the left.
   EXPECT_GT(rig.stereo.T_IC[0].p().y(), rig.stereo.T_IC[1].p().y());
+}
+
+TEST(Rig, Aqua2LooksForwardAndDownAndHasNoSonar) {
+  const Rig rig = LoadRig(FindRig("aqua2"));
+  EXPECT_FALSE(rig.HasSonar());
+  EXPECT_TRUE(rig.HasDepth());
+  for (const Pose& T_IC : rig.stereo.T_IC) {
+    // 30 degrees: the camera's z is forward (x) and half as much down, its x is right (-y).
+    const Eigen::Vector3d ahead(std::sqrt(0.75), 0.0, -0.5);
+    EXPECT_LT((T_IC.q() * Eigen::Vector3d::UnitZ() - ahead).norm(), 1e-6);
+    EXPECT_LT((T_IC.q() * Eigen::Vector3d::UnitX() + Eigen::Vector3d::UnitY()).norm(), 1e-6);
+  }
+  const Eigen::Vector3d baseline = rig.stereo.T_IC[1].p() - rig.stereo.T_IC[0].p();
+  EXPECT_NEAR(baseline.y(), -0.088, 1e-9);
 }
 
 // 300 deg/s, 5 g, 0.008 deg/s, 0.1 mg and 0.05 deg.
