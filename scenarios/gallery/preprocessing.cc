@@ -1,25 +1,23 @@
-#include <array>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "estimator/svin2/frontend/preprocessor.h"
-#include "scenarios/gallery/bus_views.h"
+#include "scenarios/gallery/dive_views.h"
 #include "scenarios/gallery/gallery.h"
 #include "scenarios/gallery/picture_rows.h"
 
 namespace drydock {
 
 void WritePreprocessing(const std::filesystem::path& path) {
-  constexpr std::array kAtTheFront = {36.0};  // [s]
+  constexpr double kAtTheFront = 36.0;  // [s]
   svin2::Preprocessor preprocessor({});
   svin2::Preprocessor with_background({.background_sigma_px = 0.0});
-  BusViews views;
   std::vector<PictureRow> rows;
   for (const double visibility_m : {12.0, 6.0, 3.0}) {
-    sim::WaterConfig water = views.water();
-    water.visibility_m = visibility_m;
-    const cv::Mat image = views.LeftImages(water, false, kAtTheFront).front();
+    const cv::Mat image =
+        LeftImages({"bus", {fmt::format("water.visibility_m={}", visibility_m)}, {kAtTheFront}})
+            .front();
     rows.push_back(
         {fmt::format("V = {} m: the image; pre-processed with its background; and without",
                      visibility_m),

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "scenes/scene.h"
+#include "scenarios/runner/make_world.h"
 #include "sensors_models/base/check.h"
-#include "sensors_models/base/resources.h"
 #include "sensors_models/models/usable_rig.h"
 #include "sim/world/path_clearance.h"
 
@@ -30,10 +29,10 @@ Dive::Dive(const Scenario& scenario, sim::RendererBackend backend)
     : rig_(LoadUsableRig(FindRig(scenario.rig))),
       motion_(scenario.motion, scenario.seed),
       end_(EndOf(scenario, motion_)),
-      world_(scenes::PrepareScene(scenario.scene.name, scenario.scene.seed, CacheDirectory())),
+      world_(MakeWorld(scenario)),
       rays_(world_),
-      suite_(motion_, world_, rays_, rig_, scenario.sensors, scenario.water, backend, scenario.seed,
-             end_) {
+      suite_(motion_, world_, rays_, rig_, scenario.sensors, scenario.water, scenario.lamps,
+             backend, scenario.seed, end_) {
   sim::RequireClearPath(motion_, world_, rays_, scenario.motion.clearance_m, [&](Time t) {
     return fmt::format("{}, near this way-point",
                        scenario.motion.waypoints[motion_.NearestWaypoint(t)].place);

@@ -62,9 +62,12 @@ Scenario ReadScenario(const YamlNode& root, const std::string& name) {
     yaml.Map("scene", [&](YamlReader& scene) { read.scene = ReadScene(scene); });
     read.rig = ReadRigName(yaml, "rig");
     yaml.OptionalMap("water", [&](YamlReader& water) { read.water = sim::ReadWater(water); });
+    yaml.List("lamps", [&](YamlReader& lamp) { read.lamps.push_back(sim::ReadLamp(lamp)); });
     yaml.OptionalMap("sensors",
                      [&](YamlReader& sensors) { read.sensors = sim::ReadSensors(sensors); });
     yaml.Map("motion", [&](YamlReader& motion) { read.motion = sim::ReadMotion(motion); });
+    yaml.List("moving",
+              [&](YamlReader& thing) { read.moving.push_back(sim::ReadMovingThing(thing)); });
     yaml.OptionalMap("estimator",
                      [&](YamlReader& estimator) { read.estimator = ReadEstimator(estimator); });
     read.seed = static_cast<std::uint64_t>(yaml.Integer("seed", kSeed, 1));

@@ -14,8 +14,10 @@
 #include "sensors_models/base/yaml_node.h"
 #include "sensors_models/measurement/rig.h"
 #include "sim/motion/motion_config.h"
+#include "sim/optics/lamp_config.h"
 #include "sim/optics/water_config.h"
 #include "sim/sensors/sensors_config.h"
+#include "sim/world/moving_things_config.h"
 
 namespace drydock {
 
@@ -41,10 +43,12 @@ struct Scenario {
   SceneChoice scene;
   std::string rig;  ///< The true rig: a name or a file.
   sim::WaterConfig water;
+  std::vector<sim::LampConfig> lamps;  ///< On the body.
   sim::SensorsConfig sensors;
   sim::MotionConfig motion;
+  std::vector<sim::MovingThingConfig> moving;  ///< What swims through it.
   EstimatorChoice estimator;
-  std::uint64_t seed = 1;            ///< Of noise, biases and sway.
+  std::uint64_t seed = 1;            ///< Of noise, biases, sway and what moves.
   std::optional<double> duration_s;  ///< Cuts the dive.
   std::vector<score::Criterion> criteria;
 

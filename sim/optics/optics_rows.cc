@@ -1,41 +1,12 @@
 #include "sim/optics/optics_rows.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
+#include "sim/optics/row_math.h"
 #include "sim/optics/vector_clones.h"
 
 namespace drydock::sim::rows {
-namespace {
-
-/// exp(x) for x in about [-87, 80], relative error below 2e-6; below that range a very small
-/// number. 2^(x log2 e), the whole part through the exponent bits, the rest by its Taylor
-/// polynomial.
-inline __attribute__((always_inline)) float FastExp(float x) {
-  const float power = std::max(x * 1.44269504F, -126.F);
-  // Adding and taking away 1.5 * 2^23 rounds to the nearest whole number.
-  constexpr float kRound = 12582912.F;
-  const float whole = (power + kRound) - kRound;
-  const float f = (power - whole) * 0.69314718F;
-  const float polynomial =
-      1.F + f * (1.F + f * (0.5F + f * (0.16666667F + f * (0.041666667F + f * 0.0083333333F))));
-  const auto bits = static_cast<std::int32_t>(whole) * (1 << 23);
-  return std::bit_cast<float>(std::bit_cast<std::int32_t>(polynomial) + bits);
-}
-
-/// Differences towards the nearer neighbour. Beyond the far plane depth is infinite; the result is
-/// then not a number, which the caller drops.
-inline __attribute__((always_inline)) float NearerDifference(float before, float here,
-                                                             float after) {
-  const float back = here - before;
-  const float ahead = after - here;
-  return std::abs(back) < std::abs(ahead) ? back : ahead;
-}
-
-}  // namespace
-
 DRYDOCK_VECTOR_CLONES
 void RangesAndSlopes(const RowView& view, const float* depth, float* range, float* slope) {
   const float y = view.y;
@@ -59,12 +30,8 @@ inline __attribute__((always_inline)) void FindSurface(const RowView& view, floa
                                                        float left, float right, float above,
                                                        float below, float z, int u,
                                                        const SurfaceRow& surface) {
-  const float across = NearerDifference(left, z, right);
-  const float down = NearerDifference(above, z, below);
-  // The surface is P(u, v) = z (x, y, 1); its normal is dP/du x dP/dv, turned towards the camera.
-  const float toward = z * view.inverse_focal + x * across + view.y * down;
-  const float scale = 1.F / std::sqrt(across * across + down * down + toward * toward);
-  const float normal[3] = {across * scale, down * scale, -toward * scale};
+  const Normal n = NormalOf(view, x, left, right, above, below, z);
+  const float normal[3] = {n.x, n.y, n.z};
   surface.upward[u] =
       normal[0] * view.up_C[0] + normal[1] * view.up_C[1] + normal[2] * view.up_C[2];
   surface.sunward[u] = std::max(

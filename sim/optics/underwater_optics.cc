@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
 #include "sensors_models/base/check.h"
 #include "sim/optics/daylight_rows.h"
+#include "sim/optics/monochrome.h"
 
 namespace drydock::sim {
 namespace {
-
-/// What a silicon sensor without colour filters makes of red, green and blue light, roughly.
-constexpr std::array<float, 3> kMonochrome = {0.30F, 0.45F, 0.25F};
 
 float SrgbToLinear(int code) {
   const double s = code / 255.0;
@@ -26,12 +25,15 @@ void StoreVector(const Eigen::Vector3d& from, float* to) {
 }  // namespace
 
 UnderwaterOptics::UnderwaterOptics(const WaterConfig& water, const Pinhole& pinhole,
-                                   DaylightGrid* shadows)
+                                   DaylightGrid* shadows, std::optional<LampLight> lamps,
+                                   Caustics* caustics)
     : water_(water),
       pinhole_(pinhole),
       shadows_(shadows),
       veil_light_(water, pinhole),
       scatter_(water, pinhole.focal),
+      lamps_(std::move(lamps)),
+      caustics_(caustics),
       range_(pinhole.height, pinhole.width, CV_32FC1) {
   const Eigen::Array3d c = BeamAttenuation(water), kd = DiffuseAttenuation(water);
   const Eigen::Array3d veil = water.veil * ScatteringAlbedo(water);
@@ -95,9 +97,38 @@ void UnderwaterOptics::LightRow(const RawImage& raw, const rows::RowView& view, 
       view, raw.depth.ptr<float>(std::max(v - 1, 0)), raw.depth.ptr<float>(v),
       raw.depth.ptr<float>(std::min(v + 1, last_row)), DaylightGrid::kSurfaceOffset,
       {sunward_.data(), upward_.data(), {place_[0].data(), place_[1].data(), place_[2].data()}});
-  if (shadows_ != nullptr) ShadeRow(raw.depth.ptr<float>(v), view.width);
+  if (shadows_ != nullptr) {
+    ShadeRow(raw.depth.ptr<float>(v), view.width);
+  } else if (caustics_ != nullptr) {
+    std::fill(sun_.begin(), sun_.end(), 1.F);
+  }
+  if (caustics_ != nullptr) caustics_->ModulateRow(view, raw.depth.ptr<float>(v), sun_.data());
   rows::Illuminate(view.width, sunward_.data(), upward_.data(), sun_.data(), sky_.data(),
                    static_cast<float>(water_.sun_share), light_.data());
+}
+
+void UnderwaterOptics::Clear(cv::Size size, std::size_t planes) {
+  direct_.resize(planes);
+  seen_.resize(planes);
+  for (auto* images : {&direct_, &seen_}) {
+    for (cv::Mat& image : *images) {
+      image.create(size, CV_32FC1);
+      image.setTo(0.0);
+    }
+  }
+}
+
+void UnderwaterOptics::AddDaylight(const RawImage& raw, const rows::RowView& view, int v,
+                                   bool shafts, bool color) {
+  const float* range = range_.ptr<float>(v);
+  LightRow(raw, view, v);
+  const float* lit = shafts ? veil_light_.Row(v, range) : open_.data();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t plane = color ? i : 0;
+    rows::AddSeenThroughWater(view.width, channels_[i], albedo_[i].data(), light_.data(), range,
+                              slope_.data(), lit, direct_[plane].ptr<float>(v),
+                              seen_[plane].ptr<float>(v));
+  }
 }
 
 void UnderwaterOptics::Apply(const RawImage& raw, const Pose& T_WC, ImageChannels channels,
@@ -106,22 +137,20 @@ void UnderwaterOptics::Apply(const RawImage& raw, const Pose& T_WC, ImageChannel
         "the optics need the image of their own pinhole");
   const bool color = channels == ImageChannels::kColor;
   const std::size_t planes = color ? 3 : 1;
-  direct_.resize(planes);
-  seen_.resize(planes);
-  for (std::size_t i = 0; i < planes; ++i) {
-    direct_[i].create(raw.depth.size(), CV_32FC1);
-    direct_[i].setTo(0.0);
-    seen_[i].create(raw.depth.size(), CV_32FC1);
-    seen_[i].setTo(0.0);
-  }
+  Clear(raw.depth.size(), planes);
   const Eigen::Array3d here = DaylightAt(water_, T_WC.p().z());
+  Eigen::Array3f weights;
   for (std::size_t i = 0; i < 3; ++i) {
-    channels_[i].daylight = static_cast<float>(here[static_cast<Eigen::Index>(i)]);
-    channels_[i].weight = color ? 1.F : kMonochrome[i];
+    const auto channel = static_cast<Eigen::Index>(i);
+    weights[channel] = color ? 1.F : kMonochromeWeights[i];
+    channels_[i].daylight = static_cast<float>(here[channel]);
+    channels_[i].weight = weights[channel];
   }
+  const bool by_day = water_.daylight > 0.0;
   // Perfectly clear water has no veil to be in shadow.
-  const bool shafts = shadows_ != nullptr && water_.visibility_m > 0.0;
+  const bool shafts = by_day && shadows_ != nullptr && water_.visibility_m > 0.0;
   if (shafts) veil_light_.Look(T_WC, *shadows_);
+  if (lamps_) lamps_->Look(raw.depth, T_WC);
 
   rows::RowView view = ViewFrom(T_WC);
   for (int v = 0; v < raw.depth.rows; ++v) {
@@ -129,17 +158,31 @@ void UnderwaterOptics::Apply(const RawImage& raw, const Pose& T_WC, ImageChannel
     DecodeAlbedo(raw.albedo, v);
     auto* range = range_.ptr<float>(v);
     rows::RangesAndSlopes(view, raw.depth.ptr<float>(v), range, slope_.data());
-    LightRow(raw, view, v);
-    const float* lit = shafts ? veil_light_.Row(v, range) : open_.data();
+    if (by_day) AddDaylight(raw, view, v, shafts, color);
+    if (!lamps_) continue;
+    std::array<float*, 3> direct = {}, veil = {};
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t plane = color ? i : 0;
-      rows::AddSeenThroughWater(view.width, channels_[i], albedo_[i].data(), light_.data(), range,
-                                slope_.data(), lit, direct_[plane].ptr<float>(v),
-                                seen_[plane].ptr<float>(v));
+      direct[i] = direct_[color ? i : 0].ptr<float>(v);
+      veil[i] = seen_[color ? i : 0].ptr<float>(v);
     }
+    lamps_->AddRow(view, {v, raw.depth, range, albedo_}, weights, direct, veil);
   }
   for (std::size_t i = 0; i < planes; ++i) scatter_.AddTo(direct_[i], range_, seen_[i]);
   cv::merge(seen_, radiance);
+}
+
+Eigen::Array3f UnderwaterOptics::LightOnBall(const Eigen::Vector3d& p_W, const Pose& T_WC,
+                                             double daylight_left) const {
+  // Means over the disc of a matt ball against a flat card, see LightAt.
+  constexpr double kSun = 0.25, kSky = 0.625, kLampBesideCamera = 2.0 / 3.0;
+  Eigen::Array3d light = Eigen::Array3d::Zero();
+  if (water_.daylight > 0.0) {
+    const Daylight left = shadows_ != nullptr ? shadows_->At(p_W.cast<float>()) : Daylight{};
+    light += daylight_left * DaylightAt(water_, p_W.z()) *
+             (water_.sun_share * kSun * left.sun + (1.0 - water_.sun_share) * kSky * left.sky);
+  }
+  if (lamps_) light += kLampBesideCamera * lamps_->IlluminanceAt(T_WC.Inverse() * p_W);
+  return light.cast<float>();
 }
 
 }  // namespace drydock::sim

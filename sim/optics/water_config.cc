@@ -23,6 +23,10 @@ WaterConfig ReadWater(YamlReader& yaml) {
   water.forward_scatter = yaml.Real("forward_scatter", {0.0, 1.0}, water.forward_scatter);
   water.forward_scatter_deg =
       yaml.Real("forward_scatter_deg", {0.01, 10.0}, water.forward_scatter_deg);
+  yaml.OptionalMap("caustics",
+                   [&](YamlReader& caustics) { water.caustics = ReadCaustics(caustics); });
+  yaml.OptionalMap("snow", [&](YamlReader& snow) { water.snow = ReadMarineSnow(snow); });
+  yaml.List("silt", [&](YamlReader& cloud) { water.silt.push_back(ReadSiltCloud(cloud)); });
   return water;
 }
 

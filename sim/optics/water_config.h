@@ -2,9 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sensors_models/base/yaml_reader.h"
+#include "sim/optics/caustics_config.h"
+#include "sim/optics/marine_snow_config.h"
+#include "sim/optics/silt_config.h"
 
 namespace drydock::sim {
 
@@ -29,6 +34,9 @@ struct WaterConfig {
   /// Share of the scattering that bends light by so little that it arrives as blur; 0 for none.
   double forward_scatter = 0.3;
   double forward_scatter_deg = 0.6;  ///< Standard deviation of that bend, along each image axis.
+  CausticsConfig caustics;
+  std::optional<MarineSnowConfig> snow;
+  std::vector<SiltCloud> silt;
 };
 
 /// Reads the `water` mapping of a scenario.

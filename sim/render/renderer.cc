@@ -73,22 +73,36 @@ mjvGLCamera ToGlCamera(const Pose& T_WC, const Pinhole& pinhole, double far) {
   return camera;
 }
 
+using RowMajorMatrix = Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>;
+
 /// Something that can be drawn.
 struct Drawable {
   mjvGeom geom;
   std::optional<BoxCorners> box;  ///< Around it; none if it has no end.
+  bool is_there = true;
 };
+
+/// The box around geom `id` with its frame at `position`, turned by `R`.
+BoxCorners BoxAt(int id, const mjModel& model, const Eigen::Vector3d& position,
+                 const Eigen::Matrix3d& R) {
+  const Eigen::Map<const Eigen::Vector3d> centre(model.geom_aabb + 6 * id);
+  const Eigen::Map<const Eigen::Vector3d> half_sizes(model.geom_aabb + 6 * id + 3);
+  return CornersOfBox(position + R * centre, R, half_sizes);
+}
 
 /// The box around what `geom` draws.
 std::optional<BoxCorners> BoxOf(const mjvGeom& geom, const mjModel& model, const mjData& data) {
   if (geom.objtype != mjOBJ_GEOM || geom.objid < 0) return std::nullopt;
   if (model.geom_rbound[geom.objid] <= 0) return std::nullopt;  // An infinite plane.
-  using Matrix = Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>;
   const Eigen::Map<const Eigen::Vector3d> position(data.geom_xpos + 3 * geom.objid);
-  const Eigen::Map<const Matrix> R(data.geom_xmat + 9 * geom.objid);
-  const Eigen::Map<const Eigen::Vector3d> centre(model.geom_aabb + 6 * geom.objid);
-  const Eigen::Map<const Eigen::Vector3d> half_sizes(model.geom_aabb + 6 * geom.objid + 3);
-  return CornersOfBox(position + R * centre, R, half_sizes);
+  const Eigen::Map<const RowMajorMatrix> R(data.geom_xmat + 9 * geom.objid);
+  return BoxAt(geom.objid, model, position, R);
+}
+
+/// Of a geom in its body.
+Pose GeomInBody(int id, const mjModel& model) {
+  const mjtNum* q = model.geom_quat + 4 * id;
+  return {Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Eigen::Vector3d(model.geom_pos + 3 * id)};
 }
 
 }  // namespace
@@ -99,6 +113,7 @@ struct Renderer::Mujoco {
   mjrContext context{};
   double far = kFar;
   std::vector<Drawable> drawables;
+  std::vector<std::size_t> moving;  ///< Those of the world's moving bodies, in their order.
   std::vector<std::pair<double, std::size_t>> seen;  ///< Depth and index of each drawable in view.
   std::vector<float> reversed_depth;
   std::vector<unsigned char> rgb;
@@ -136,6 +151,24 @@ struct Renderer::Mujoco {
     for (int i = 0; i < scene.ngeom; ++i) {
       drawables.push_back({scene.geoms[i], BoxOf(scene.geoms[i], model, world.data())});
     }
+    for (const int geom : world.moving_geoms()) {
+      const auto drawn =
+          std::find_if(drawables.begin(), drawables.end(), [geom](const Drawable& d) {
+            return d.geom.objtype == mjOBJ_GEOM && d.geom.objid == geom;
+          });
+      Check(drawn != drawables.end(), "MuJoCo does not draw geom {}", geom);
+      drawn->is_there = false;
+      moving.push_back(static_cast<std::size_t>(drawn - drawables.begin()));
+    }
+  }
+
+  void Place(Drawable& drawable, const Pose& T_WB) const {
+    const int id = drawable.geom.objid;
+    const Pose T_WG = T_WB * GeomInBody(id, world.model());
+    const Eigen::Matrix3d R = T_WG.R();
+    Eigen::Map<Eigen::Vector3f>(drawable.geom.pos) = T_WG.p().cast<float>();
+    Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(drawable.geom.mat) = R.cast<float>();
+    drawable.box = BoxAt(id, world.model(), T_WG.p(), R);
   }
 
   /// Fills the scene with what is seen. What ends nearest comes first, so that most of what it
@@ -145,6 +178,7 @@ struct Renderer::Mujoco {
     const Frustum frustum(T_WC, pinhole, kNear, far);
     seen.clear();
     for (std::size_t i = 0; i < drawables.size(); ++i) {
+      if (!drawables[i].is_there) continue;
       const auto depth = drawables[i].box ? frustum.FarthestDepth(*drawables[i].box) : far;
       if (depth) seen.emplace_back(*depth, i);
     }
@@ -169,6 +203,17 @@ void Renderer::SetFar(double far_m) {
   Check(far_m > kNear && far_m <= kFar, "the renderer's far plane at {} m is not in ({}, {}] m",
         far_m, kNear, kFar);
   mujoco_->far = far_m;
+}
+
+void Renderer::Place(const MovingPoses& poses) {
+  const std::vector<std::size_t>& moving = mujoco_->moving;
+  Check(poses.empty() || poses.size() == moving.size(), "{} poses of {} moving bodies",
+        poses.size(), moving.size());
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    Drawable& drawable = mujoco_->drawables[moving[i]];
+    drawable.is_there = !poses.empty() && poses[i].has_value();
+    if (drawable.is_there) mujoco_->Place(drawable, *poses[i]);
+  }
 }
 
 void Renderer::Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image) {

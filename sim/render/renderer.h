@@ -20,8 +20,8 @@ struct RawImage {
 };
 
 /// Draws a world with MuJoCo's renderer, unlit: light is the optics' business. Owns the OpenGL
-/// context; use it from one thread at a time. The world must outlive it and must not move between
-/// frames (yet).
+/// context; use it from one thread at a time. The world must outlive it; only what Place() moves
+/// moves.
 class Renderer {
  public:
   /// `largest_width` x `largest_height` [px] bounds the views. InputError if the backend does not
@@ -34,6 +34,9 @@ class Renderer {
   /// Draws what the camera at `T_WC` (x right, y down, z forward) sees into `image`, reusing its
   /// memory.
   void Render(const Pose& T_WC, const Pinhole& pinhole, RawImage& image);
+
+  /// Where the world's moving bodies are from now on. An empty list, as at first: none is there.
+  void Place(const MovingPoses& poses);
 
   /// From now on draws nothing that is farther than this along the axis [m], in (kNear, kFar].
   /// Where water hides what is far, drawing it is wasted.

@@ -23,9 +23,10 @@ StereoRenderer::~StereoRenderer() {
   worker_.Submit([this] { renderer_.reset(); }).wait();
 }
 
-void StereoRenderer::Begin(const std::array<Pose, 2>& T_WC) {
+void StereoRenderer::Begin(const std::array<Pose, 2>& T_WC, const MovingPoses& moving) {
   Check(!HasBegun(), "a pair is being drawn already");
-  drawing_ = worker_.Submit([this, T_WC] {
+  drawing_ = worker_.Submit([this, T_WC, moving] {
+    renderer_->Place(moving);
     for (std::size_t eye = 0; eye < 2; ++eye)
       renderer_->Render(T_WC[eye], pinholes_[eye], pairs_[in_work_][eye]);
   });

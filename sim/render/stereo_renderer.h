@@ -13,7 +13,7 @@ namespace drydock::sim {
 
 using RawPair = std::array<RawImage, 2>;
 
-/// A Renderer for two eyes. The world must outlive it and must not move while a pair is drawn.
+/// A Renderer for two eyes. The world must outlive it.
 class StereoRenderer {
  public:
   /// Draws nothing beyond `far_m`, see Renderer::SetFar. InputError if the backend does not work.
@@ -24,8 +24,9 @@ class StereoRenderer {
   StereoRenderer(const StereoRenderer&) = delete;
   StereoRenderer& operator=(const StereoRenderer&) = delete;
 
-  /// Begins to draw a pair; the one begun before must be finished.
-  void Begin(const std::array<Pose, 2>& T_WC);
+  /// Begins to draw a pair, with the world's moving bodies at `moving` (see Renderer::Place); the
+  /// one begun before must be finished.
+  void Begin(const std::array<Pose, 2>& T_WC, const MovingPoses& moving = {});
   bool HasBegun() const { return drawing_.valid(); }
   /// Waits for the pair that was begun. It is valid until the next call.
   const RawPair& Finish();

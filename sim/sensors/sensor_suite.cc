@@ -11,7 +11,8 @@ namespace drydock::sim {
 
 SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& rays, const Rig& rig,
                          const SensorsConfig& config, const WaterConfig& water,
-                         RendererBackend backend, std::uint64_t seed, Time end)
+                         const std::vector<LampConfig>& lamps, RendererBackend backend,
+                         std::uint64_t seed, Time end)
     : end_(end) {
   const auto add = [this](bool present, const SensorSwitches& switches, auto make) {
     if (present && switches.enabled) slots_.push_back({make(), switches.latency});
@@ -31,9 +32,9 @@ SensorSuite::SensorSuite(const Motion& motion, World& world, const RayScene& ray
                                    config.sonar_effects, seed);
   });
   add(true, config.stereo, [&] {
-    auto camera = std::make_unique<StereoCamera>(
-        StereoCamera::Surroundings{motion, world, rays, end}, rig.stereo, water, config.image,
-        config.depth_images, backend, seed);
+    auto camera =
+        std::make_unique<StereoCamera>(StereoCamera::Surroundings{motion, world, rays, end},
+                                       rig.stereo, water, lamps, config.camera, backend, seed);
     camera_ = camera.get();
     return camera;
   });

@@ -25,8 +25,9 @@ class SensorSuite {
   /// Everything passed by reference must outlive the suite. `rig` is the true one; sensors that it
   /// lacks or that the configuration switches off stay silent. Nothing is measured after `end`.
   SensorSuite(const Motion& motion, World& world, const RayScene& rays, const Rig& rig,
-              const SensorsConfig& config, const WaterConfig& water, RendererBackend backend,
-              std::uint64_t seed, Time end);
+              const SensorsConfig& config, const WaterConfig& water,
+              const std::vector<LampConfig>& lamps, RendererBackend backend, std::uint64_t seed,
+              Time end);
 
   /// The next observation to arrive; nothing when there are no more.
   std::optional<Observation> Next();

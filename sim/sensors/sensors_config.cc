@@ -48,8 +48,10 @@ SensorsConfig ReadSensors(YamlReader& yaml) {
                   [&](YamlReader& depth) { ReadEffects(depth, config.depth_effects); });
   yaml.OptionalMap("stereo", [&](YamlReader& stereo) {
     ReadSwitches(stereo, config.stereo);
-    config.depth_images = stereo.Boolean("depth_images", config.depth_images);
-    config.image = ReadImageSensor(stereo);
+    config.camera.depth_images = stereo.Boolean("depth_images", config.camera.depth_images);
+    config.camera.image = ReadImageSensor(stereo);
+    stereo.OptionalMap("flat_port",
+                       [&](YamlReader& port) { config.camera.flat_port = ReadFlatPort(port); });
   });
   return config;
 }

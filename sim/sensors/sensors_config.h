@@ -6,6 +6,7 @@
 #include "sensors_models/noise/imu_noise.h"
 #include "sensors_models/noise/pressure_noise.h"
 #include "sim/optics/image_sensor.h"
+#include "sim/render/flat_port.h"
 #include "sim/sensors/sonar_effects.h"
 
 namespace drydock::sim {
@@ -17,6 +18,13 @@ struct SensorSwitches {
   Duration latency;   ///< From measurement to arrival.
 };
 
+/// What a scenario says of the camera; the rig says what it can do.
+struct StereoCameraConfig {
+  ImageSensorConfig image;
+  FlatPortConfig flat_port;   ///< Before both eyes.
+  bool depth_images = false;  ///< True depth beside each image.
+};
+
 struct SensorsConfig {
   SensorSwitches imu;
   SensorSwitches stereo;
@@ -25,8 +33,7 @@ struct SensorsConfig {
   SensorSwitches depth;
   ImuEffects imu_effects;         ///< Of an IMU with noise; all on by default.
   PressureEffects depth_effects;  ///< Of a pressure sensor with noise; all on by default.
-  bool depth_images = false;      ///< True depth beside each image.
-  ImageSensorConfig image;
+  StereoCameraConfig camera;
 };
 
 /// Reads the `sensors` mapping of a scenario.

@@ -4,16 +4,21 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "sensors_models/measurement/rig.h"
 #include "sim/motion/motion.h"
 #include "sim/optics/auto_exposure.h"
+#include "sim/optics/caustics.h"
 #include "sim/optics/daylight_grid.h"
 #include "sim/optics/image_sensor.h"
+#include "sim/optics/marine_snow.h"
+#include "sim/optics/silt.h"
 #include "sim/optics/underwater_optics.h"
 #include "sim/render/lens.h"
 #include "sim/render/stereo_renderer.h"
 #include "sim/sensors/sensor.h"
+#include "sim/sensors/sensors_config.h"
 #include "sim/world/ray_scene.h"
 
 namespace drydock::sim {
@@ -32,14 +37,15 @@ class StereoCamera final : public Sensor {
 
   /// InputError if no OpenGL can be had.
   StereoCamera(const Surroundings& surroundings, const StereoSheet& sheet, const WaterConfig& water,
-               const ImageSensorConfig& image, bool depth_images, RendererBackend backend,
-               std::uint64_t seed);
+               const std::vector<LampConfig>& lamps, const StereoCameraConfig& config,
+               RendererBackend backend, std::uint64_t seed);
 
   Time NextTime() const override { return SampleTime(Time{}, next_, sheet_.rate_hz); }
   Observation Observe() override;
 
-  /// What the camera sees from any pose with its exposure settled, for calibration and tests.
-  StereoFrame Look(const Pose& T_WI, StereoTruth* truth);
+  /// What the camera sees from any pose with its exposure settled, for calibration and tests; what
+  /// moves is where it is at `t`.
+  StereoFrame Look(const Pose& T_WI, StereoTruth* truth, Time t = {});
 
   const StereoRenderer& renderer() const { return renderer_; }
 
@@ -47,22 +53,30 @@ class StereoCamera final : public Sensor {
   struct Eye {
     Lens lens;
     UnderwaterOptics optics;
+    std::optional<Silt> silt;
+    std::optional<MarineSnow> snow;
     ImageSensor sensor;
     cv::Mat light;  ///< On the sensor.
   };
-  static Eye MakeEye(std::size_t eye, const StereoSheet& sheet, const WaterConfig& water,
-                     const ImageSensorConfig& image, DaylightGrid* shadows, std::uint64_t seed);
+  Eye MakeEye(std::size_t eye, const WaterConfig& water, const std::vector<LampConfig>& lamps,
+              const RayScene& rays, const StereoCameraConfig& config, std::uint64_t seed);
   std::array<Pose, 2> EyePoses(const Pose& T_WI) const;
-  /// Fills each eye's light from what it sees and gives their mean.
-  double Gather(const RawPair& raw, const Pose& T_WI, StereoTruth* truth);
+  /// Has both eyes drawn from `T_WI`, with all that moves where it is at `t`.
+  void BeginDrawing(Time t, const Pose& T_WI);
+  /// What `eye` sees at `t` from `T_WC`, before its lens.
+  void See(Eye& eye, const RawImage& raw, const Pose& T_WC, Time t);
+  /// Fills each eye's light from what it sees at `t` and gives their mean.
+  double Gather(const RawPair& raw, const Pose& T_WI, Time t, StereoTruth* truth);
   StereoFrame Expose(const Exposure& exposure);
 
   const Motion& motion_;
+  const MovingThings& moving_;
   Time end_;
   StereoSheet sheet_;
   ImageChannels channels_;
   bool depth_images_;
-  std::optional<DaylightGrid> shadows_;
+  std::optional<DaylightGrid> shadows_;  ///< These two are shared by the eyes.
+  std::optional<Caustics> caustics_;
   std::array<Eye, 2> eyes_;
   AutoExposure auto_exposure_;
   StereoRenderer renderer_;

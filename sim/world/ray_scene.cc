@@ -133,6 +133,7 @@ RayScene::RayScene(const World& world) : embree_(std::make_unique<Embree>()) {
   const mjModel& model = world.model();
   embree_->geoms.resize(static_cast<std::size_t>(model.ngeom));
   for (int geom = 0; geom < model.ngeom; ++geom) {
+    if (world.IsMoving(geom)) continue;
     Triangles triangles = GeomTriangles(world, geom);
     // MuJoCo keeps a mesh in its inertial frame: the geom's pose brings it back.
     const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R(world.data().geom_xmat +
@@ -221,6 +222,26 @@ std::vector<FanHit> RayScene::CastFan(const Eigen::Vector3d& origin, const RayFa
     hits[i] = {ray.ray.tfar, std::min(cos_incidence, 1.0F), static_cast<int>(ray.hit.geomID)};
   }
   return hits;
+}
+
+std::vector<char> RayScene::AreHidden(const Eigen::Ref<const RayFan>& from,
+                                      const Eigen::Ref<const RayFan>& to, float margin) const {
+  std::vector<RTCRay> rays;
+  rays.reserve(static_cast<std::size_t>(from.cols()));
+  for (Eigen::Index i = 0; i < from.cols(); ++i) {
+    const Eigen::Vector3f way = to.col(i) - from.col(i);
+    const float distance = way.norm();
+    rays.push_back(MakeRay(from.col(i), way / distance, std::max(distance - margin, 0.F)).ray);
+  }
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded1M(embree_->scene, &context, rays.data(), static_cast<unsigned>(rays.size()),
+                sizeof(RTCRay));
+  std::vector<char> hidden;
+  hidden.reserve(rays.size());
+  for (const RTCRay& ray : rays) hidden.push_back(ray.tfar < 0.F ? 1 : 0);
+  return hidden;
 }
 
 namespace {

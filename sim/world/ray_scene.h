@@ -27,8 +27,8 @@ struct FanHit {
   int geom = -1;               ///< MuJoCo's geom id; -1 where the ray met nothing.
 };
 
-/// The triangles of every mesh, box and plane of a world, where they are at construction. Rays see
-/// both faces of a triangle. Thread-safe for reading.
+/// The triangles of every mesh, box and plane of a world that stays where it is; nothing that
+/// moves. Rays see both faces of a triangle. Thread-safe for reading.
 class RayScene {
  public:
   /// InputError if a geom has a shape that is not supported.
@@ -53,6 +53,11 @@ class RayScene {
   /// hit a ray, in the order of the rays.
   std::vector<FanHit> CastFan(const Eigen::Vector3d& origin, const RayFan& directions,
                               double max_range) const;
+
+  /// Whether anything lies between points `from` and `to` [m, in W], column by column, farther than
+  /// `margin` [m] from the latter. Fast where neighbours are close together.
+  std::vector<char> AreHidden(const Eigen::Ref<const RayFan>& from,
+                              const Eigen::Ref<const RayFan>& to, float margin) const;
 
   /// What is nearest to `point` [m, in W], if nearer than `max_distance` [m]. The hit's range is
   /// the distance and its normal points from the surface to the point.

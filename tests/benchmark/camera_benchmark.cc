@@ -19,6 +19,21 @@ namespace {
 
 constexpr int kPoses = 24;
 
+/// Two lamps beside the rig, as divers in caves have them.
+std::vector<sim::LampConfig> Lamps() {
+  sim::LampConfig left, right;
+  left.position_m = {0.1, 0.35, 0.1};
+  left.yaw_deg = -8.0;
+  right.position_m = {0.1, -0.35, 0.1};
+  right.yaw_deg = 8.0;
+  return {left, right};
+}
+
+sim::WaterConfig WithoutDaylight(sim::WaterConfig water) {
+  water.daylight = 0.0;
+  return water;
+}
+
 /// Everything up to a stage, prepared once for all benchmarks of the process (MuJoCo allows one
 /// OpenGL context).
 class Stages {
@@ -28,6 +43,10 @@ class Stages {
         rays(dive.world),
         shadows(rays, sim::DirectionToSun(dive.scenario.water)),
         optics(dive.scenario.water, lens.source(), &shadows),
+        dark_water(WithoutDaylight(dive.scenario.water)),
+        lamp_optics(
+            dark_water, lens.source(), nullptr,
+            sim::LampLight(Lamps(), dive.rig.stereo.T_IC[0], dark_water, lens.source(), &rays)),
         renderer(dive.world, sim::RendererBackend::kAuto, lens.source().width,
                  lens.source().height) {
     for (const Pose& T_WI : dive.Poses(kPoses)) {
@@ -50,6 +69,8 @@ class Stages {
   sim::RayScene rays;
   sim::DaylightGrid shadows;
   sim::UnderwaterOptics optics;
+  sim::WaterConfig dark_water;
+  sim::UnderwaterOptics lamp_optics;
   sim::Renderer renderer;
   sim::ImageSensor sensor{dive.rig.stereo.imager, {}, dive.rig.stereo.cameras[0], 1, "cam0/noise"};
   std::vector<std::array<Pose, 2>> pairs;  ///< Of both eyes.
@@ -95,6 +116,16 @@ void OpticsColor(::benchmark::State& state) {
   cv::Mat radiance;
   Loop(state, [&](std::size_t i) {
     stages.optics.Apply(stages.raw[i], stages.poses[i], sim::ImageChannels::kColor, radiance);
+  });
+}
+
+/// No daylight, but two lamps with their shadows.
+void OpticsLamps(::benchmark::State& state) {
+  Stages& stages = SharedStages();
+  cv::Mat radiance;
+  Loop(state, [&](std::size_t i) {
+    stages.lamp_optics.Apply(stages.raw[i], stages.poses[i], sim::ImageChannels::kMonochrome,
+                             radiance);
   });
 }
 
@@ -164,6 +195,7 @@ void StereoPair(::benchmark::State& state) {
 BENCHMARK(Render)->Unit(::benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(Optics)->Unit(::benchmark::kMillisecond);
 BENCHMARK(OpticsColor)->Unit(::benchmark::kMillisecond);
+BENCHMARK(OpticsLamps)->Unit(::benchmark::kMillisecond);
 BENCHMARK(LensResampling)->Unit(::benchmark::kMillisecond);
 BENCHMARK(Exposure)->Unit(::benchmark::kMillisecond);
 BENCHMARK(WritePng)->Unit(::benchmark::kMillisecond);

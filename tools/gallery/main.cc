@@ -1,4 +1,4 @@
-// Draws docs/images/gallery.jpg and preprocessing.jpg:
+// Draws waters.jpg, dives.jpg, effects.jpg and preprocessing.jpg of the docs:
 //
 //   build/release/bin/draw_gallery docs/images
 #include <exception>
@@ -14,7 +14,9 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path directory = argv[1];
-    drydock::WriteGallery(directory / "gallery.jpg");
+    drydock::WriteWaters(directory / "waters.jpg");
+    drydock::WriteDives(directory / "dives.jpg");
+    drydock::WriteEffects(directory / "effects.jpg");
     drydock::WritePreprocessing(directory / "preprocessing.jpg");
     return 0;
   } catch (const std::exception& error) {

@@ -24,8 +24,8 @@ class SensorSuiteTest : public ::testing::Test {
  protected:
   std::vector<Observation> Collect(const SensorsConfig& config, std::uint64_t seed,
                                    double seconds) {
-    SensorSuite suite(motion_, world_, rays_, rig_, config, WaterConfig{}, RendererBackend::kAuto,
-                      seed, Time::FromSeconds(seconds));
+    SensorSuite suite(motion_, world_, rays_, rig_, config, WaterConfig{}, {},
+                      RendererBackend::kAuto, seed, Time::FromSeconds(seconds));
     std::vector<Observation> observations;
     while (auto observation = suite.Next()) observations.push_back(*observation);
     return observations;

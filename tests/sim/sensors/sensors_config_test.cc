@@ -15,8 +15,8 @@ TEST(SensorsConfig, EverythingIsOnByDefault) {
   const SensorsConfig config = Read("{}\n");
   EXPECT_TRUE(config.imu.enabled && config.imu.noise);
   EXPECT_TRUE(config.stereo.enabled && config.sonar.enabled && config.depth.enabled);
-  EXPECT_FALSE(config.depth_images);
-  EXPECT_FALSE(config.image.color);
+  EXPECT_FALSE(config.camera.depth_images);
+  EXPECT_FALSE(config.camera.image.color);
 }
 
 TEST(SensorsConfig, SwitchesAreRead) {
@@ -26,12 +26,20 @@ TEST(SensorsConfig, SwitchesAreRead) {
   EXPECT_FALSE(config.imu.noise);
   EXPECT_FALSE(config.sonar.enabled);
   EXPECT_EQ(config.depth.latency.ns, 250'000'000);
-  EXPECT_TRUE(config.image.color && config.depth_images);
-  EXPECT_EQ(config.image.exposure, 2.5);
-  EXPECT_TRUE(config.image.noise && config.image.vignetting);
-  EXPECT_EQ(Read("stereo: {noise: false}\n").image.exposure, std::nullopt);
-  EXPECT_FALSE(Read("stereo: {noise: false}\n").image.noise);
-  EXPECT_FALSE(Read("stereo: {vignetting: false}\n").image.vignetting);
+  EXPECT_TRUE(config.camera.image.color && config.camera.depth_images);
+  EXPECT_EQ(config.camera.image.exposure, 2.5);
+  EXPECT_TRUE(config.camera.image.noise && config.camera.image.vignetting);
+  EXPECT_EQ(Read("stereo: {noise: false}\n").camera.image.exposure, std::nullopt);
+  EXPECT_FALSE(Read("stereo: {noise: false}\n").camera.image.noise);
+  EXPECT_FALSE(Read("stereo: {vignetting: false}\n").camera.image.vignetting);
+}
+
+TEST(SensorsConfig, APortIsReadWhereThereIsOne) {
+  EXPECT_FALSE(Read("stereo: {}\n").camera.flat_port.enabled);
+  const FlatPortConfig port = Read("stereo: {flat_port: {distance_m: 0.04}}\n").camera.flat_port;
+  EXPECT_TRUE(port.enabled);
+  EXPECT_EQ(port.distance_m, 0.04);
+  EXPECT_THROW(Read("stereo: {flat_port: {glass: 3}}\n"), InputError);
 }
 
 TEST(SensorsConfig, EffectsAreOnByDefault) {

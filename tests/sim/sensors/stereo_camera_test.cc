@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "tests/sim/sensors/still_motion.h"
 #include "tests/support/temporary_folder.h"
@@ -28,15 +29,26 @@ class StereoCameraTest : public ::testing::Test {
     return testing::WriteScene(folder, testing::MarkerElement(kMarker, {-1, 0, 0}, 0.06));
   }
 
-  StereoCamera MakeCamera(const WaterConfig& water, const ImageSensorConfig& image,
-                          bool depth_images) {
+  StereoCamera MakeCamera(const WaterConfig& water, const std::vector<LampConfig>& lamps,
+                          const StereoCameraConfig& config) {
     return {{motion_, world_, rays_, motion_.End()},
             rig_.stereo,
             water,
-            image,
-            depth_images,
+            lamps,
+            config,
             RendererBackend::kAuto,
             1};
+  }
+  StereoCamera MakeCamera(const WaterConfig& water, const ImageSensorConfig& image,
+                          bool depth_images) {
+    return MakeCamera(water, {}, {image, {}, depth_images});
+  }
+  /// Without noise, at a fixed exposure.
+  static StereoCameraConfig PlainCamera() {
+    StereoCameraConfig config;
+    config.image.noise = false;
+    config.image.exposure = 50.0;
+    return config;
   }
 
   static inline const Eigen::Vector3d kMarker{2.0, 0.2, 0.1};
@@ -119,6 +131,76 @@ TEST_F(StereoCameraTest, ExposesByItself) {
     }
     EXPECT_NEAR(light, rig_.stereo.imager.auto_exposure_target, 0.01);
   }
+}
+
+// At night there is what the lamps show, and else nothing.
+TEST_F(StereoCameraTest, SeesByLamps) {
+  WaterConfig water;
+  water.daylight = 0.0;
+  StereoCamera dark = MakeCamera(water, {}, PlainCamera());
+  EXPECT_EQ(cv::norm(dark.Look(Pose::Identity(), nullptr).images[0]), 0.0);
+  LampConfig lamp;
+  lamp.position_m = {0.1, 0.4, 0.1};
+  StereoCamera lit = MakeCamera(water, {lamp}, PlainCamera());
+  const StereoFrame frame = lit.Look(Pose::Identity(), nullptr);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    const CameraModel model(rig_.stereo.cameras[eye]);
+    const Eigen::Vector2d marker = *model.Project(rig_.stereo.T_IC[eye].Inverse() * kMarker);
+    const auto x = static_cast<int>(marker.x()), y = static_cast<int>(marker.y());
+    EXPECT_GT(frame.images[eye].at<unsigned char>(y, x),
+              frame.images[eye].at<unsigned char>(y, x + 40) + 20);
+  }
+}
+
+// Snow, silt and waves are where they are at the frame's time.
+TEST_F(StereoCameraTest, WhatDriftsIsSeenAtItsTime) {
+  WaterConfig plain;
+  plain.surface_z_m = 3.0;
+  plain.shadows = false;
+  plain.sun_share = 1.0;
+  plain.sun_azimuth_deg = 180.0;  // On the marker's face.
+  plain.sun_elevation_deg = 45.0;
+  WaterConfig snow = plain, silt = plain, waves = plain;
+  snow.snow = MarineSnowConfig{};
+  silt.silt = {{.position_m = {1.5, 0.0, 0.0}, .current_m_s = {0.0, 0.3, 0.0}}};
+  waves.caustics.slope_rms = 0.1;
+  StereoCameraConfig config = PlainCamera();
+  config.image.exposure = 3.0;
+  const auto look = [](StereoCamera& camera, double t_s) {
+    return camera.Look(Pose::Identity(), nullptr, Time::FromSeconds(t_s)).images[0];
+  };
+  cv::Mat without;
+  {
+    StereoCamera camera = MakeCamera(plain, {}, config);
+    without = look(camera, 5.0);
+    EXPECT_EQ(cv::norm(without, look(camera, 9.0), cv::NORM_INF), 0.0);
+  }
+  for (const WaterConfig& water : {snow, silt, waves}) {
+    StereoCamera camera = MakeCamera(water, {}, config);
+    const cv::Mat now = look(camera, 5.0);
+    EXPECT_GT(cv::norm(now, without, cv::NORM_INF), 4.0);
+    EXPECT_GT(cv::norm(now, look(camera, 9.0), cv::NORM_INF), 4.0);
+    EXPECT_EQ(cv::norm(now, look(camera, 5.0), cv::NORM_INF), 0.0);
+  }
+}
+
+// A port shifts what is nearer than where the sheet was calibrated.
+TEST_F(StereoCameraTest, APortShiftsWhatIsNear) {
+  WaterConfig water;
+  water.visibility_m = 0.0;
+  water.surface_z_m = 0.0;
+  StereoCameraConfig config = PlainCamera();
+  config.image.exposure = 1.6;
+  const Pose near(Eigen::Quaterniond::Identity(), {1.4, 0.1, 0.0});
+  const auto spot = [&](const Pose& T_WI) {
+    return Spot(MakeCamera(water, {}, config).Look(T_WI, nullptr).images[0]);
+  };
+  const Eigen::Vector2d near_without = spot(near);
+  const Eigen::Vector2d far_without = spot(Pose::Identity());
+  config.flat_port.enabled = true;
+  config.flat_port.distance_m = 0.05;
+  EXPECT_LT((spot(Pose::Identity()) - far_without).norm(), 0.05);
+  EXPECT_GT((spot(near) - near_without).norm(), 0.3);
 }
 
 TEST_F(StereoCameraTest, ColourIsBgr) {
