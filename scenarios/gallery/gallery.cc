@@ -45,7 +45,11 @@ void WriteDives(const std::filesystem::path& path) {
   Write(path, {{"bus", Bus({})},
                {"cavern1", {"cavern1", {kColor}, {5.0, 60.0, 120.0}}},
                {"cavern2", {"cavern2", {kColor}, {20.0, 100.0, 180.0}}},
-               {"cemetery", {"cemetery", {kColor}, {5.0, 45.0, 90.0}}}});
+               {"cemetery", {"cemetery", {kColor}, {5.0, 45.0, 90.0}}},
+               {"cemetery, were its water clear",
+                {"cemetery",
+                 {kColor, "water.visibility_m=20", "water.jerlov_type=II", "water.daylight=1"},
+                 {5.0, 45.0, 90.0}}}});
 }
 
 void WriteEffects(const std::filesystem::path& path) {
@@ -54,10 +58,12 @@ void WriteEffects(const std::filesystem::path& path) {
          {"the same in a snow storm",
           Bus({"water.daylight=0", kTwoLamps, "water.snow={density_m3: 300}"})},
          {"caustics, 3 m below the surface",
-          Bus({"water.surface_z_m=3", "water.caustics={slope_rms: 0.1}"})},
-         {"a cloud of silt", Bus({"water.silt=[{position_m: [4.0, -1.2, -0.6], radius_m: 0.8}, "
-                                  "{position_m: [11.5, -3.0, -0.4], radius_m: 0.7}, "
-                                  "{position_m: [6.5, -3.2, 0.0], radius_m: 0.6}]"})},
+          Bus({"water.surface_z_m=3", "water.visibility_m=20", "water.sun_share=0.65",
+               "water.caustics={slope_rms: 0.1}"})},
+         {"a cloud of silt",
+          Bus({"water.silt=[{position_m: [4.0, -1.2, -0.6], radius_m: 0.8, attenuation_1_m: 8}, "
+               "{position_m: [11.5, -3.0, -0.4], radius_m: 0.7, attenuation_1_m: 8}, "
+               "{position_m: [6.5, -3.2, 0.0], radius_m: 0.6, attenuation_1_m: 8}]"})},
          {"fish, and the diver's arm",
           Bus({"moving=[{what: fish, count: 12, centre_m: [3.0, -0.8, 0.2], radius_m: 1.0}, "
                "{what: fish, count: 12, centre_m: [11.5, -2.2, 0.6], radius_m: 1.2}, "
