@@ -41,6 +41,11 @@ LampShadows::LampShadows(const RayScene& rays, const Pinhole& pinhole,
     for (auto& wide : row) wide.resize(static_cast<std::size_t>(columns) * kRaster);
   }
   wide_lit_.assign(discs_.size(), wide_depth_);
+  all_lit_.assign(discs_.size(), std::vector<char>(static_cast<std::size_t>(rows), 1));
+  from_.resize(3, columns);
+  to_.resize(3, columns);
+  column_.resize(static_cast<std::size_t>(columns));
+  open_.assign(row_.size(), 1.F);
 }
 
 void LampShadows::Look(const cv::Mat& depth, const Pose& T_WC) {
@@ -51,61 +56,77 @@ void LampShadows::Look(const cv::Mat& depth, const Pose& T_WC) {
   }
   wide_row_ = -1;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
-    LookFrom(discs_[i], T_WC, hard_);
-    Soften(hard_, lit_[i]);
+    LookFrom(discs_[i], T_WC);
+    Soften(i);
   }
 }
 
-void LampShadows::LookFrom(const ShiningDisc& disc, const Pose& T_WC, cv::Mat& lit) {
+void LampShadows::LookFrom(const ShiningDisc& disc, const Pose& T_WC) {
   std::array<Eigen::Vector3f, 9> places;
   for (int i = 0; i < 9; ++i)
     places[static_cast<std::size_t>(i)] = (T_WC * PlaceOn(disc, i)).cast<float>();
+  for (int j = 0; j < hard_.rows; ++j) LookAlongRow(places.data() + 3 * (j % 3), T_WC, j);
+}
+
+void LampShadows::LookAlongRow(const Eigen::Vector3f* places, const Pose& T_WC, int j) {
   const Eigen::Matrix3f R_WC = T_WC.R().cast<float>();
   const Eigen::Vector3f p_WC = T_WC.p().cast<float>();
   const auto per_focal = static_cast<float>(1.0 / pinhole_.focal);
-  lit.setTo(1.0);
-  std::vector<Eigen::Vector2i> points;
-  RayFan from(3, lit.total()), to(3, lit.total());
-  for (int j = 0; j < lit.rows; ++j) {
-    const float y = (static_cast<float>(std::min(j * kRaster, pinhole_.height - 1)) -
-                     static_cast<float>(pinhole_.cy)) *
-                    per_focal;
-    for (int i = 0; i < lit.cols; ++i) {
-      const float z = depth_.at<float>(j, i);
-      if (!std::isfinite(z)) continue;
-      const float x = (static_cast<float>(std::min(i * kRaster, pinhole_.width - 1)) -
-                       static_cast<float>(pinhole_.cx)) *
-                      per_focal;
-      const auto ray = static_cast<Eigen::Index>(points.size());
-      from.col(ray) = places[static_cast<std::size_t>(3 * (j % 3) + i % 3)];
-      to.col(ray) = R_WC * (z * Eigen::Vector3f(x, y, 1.F)) + p_WC;
-      points.emplace_back(i, j);
-    }
+  const auto to_plane = [per_focal](int pixel, double centre) {
+    return (static_cast<float>(pixel) - static_cast<float>(centre)) * per_focal;
+  };
+  const float y = to_plane(std::min(j * kRaster, pinhole_.height - 1), pinhole_.cy);
+  auto* hard = hard_.ptr<float>(j);
+  Eigen::Index count = 0;
+  for (int i = 0; i < hard_.cols; ++i) {
+    hard[i] = 1.F;
+    const float z = depth_.at<float>(j, i);
+    if (!std::isfinite(z)) continue;
+    const float x = to_plane(std::min(i * kRaster, pinhole_.width - 1), pinhole_.cx);
+    from_.col(count) = places[i % 3];
+    to_.col(count) = R_WC * (z * Eigen::Vector3f(x, y, 1.F)) + p_WC;
+    column_[static_cast<std::size_t>(count++)] = i;
   }
-  const auto count = static_cast<Eigen::Index>(points.size());
+  if (count == 0) return;
   const std::vector<char> hidden =
-      rays_->AreHidden(from.leftCols(count), to.leftCols(count), kMargin);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (hidden[k] != 0) lit.at<float>(points[k].y(), points[k].x()) = 0.F;
+      rays_->AreHidden(from_.leftCols(count), to_.leftCols(count), kMargin);
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    if (hidden[k] != 0) hard[column_[k]] = 0.F;
   }
 }
 
-void LampShadows::Soften(const cv::Mat& hard, cv::Mat& lit) const {
-  for (int j = 0; j < hard.rows; ++j) {
-    for (int i = 0; i < hard.cols; ++i) {
-      const float here = depth_.at<float>(j, i);
-      float sum = hard.at<float>(j, i), weight = 1.F;
-      for (int y = std::max(j - 1, 0); y <= std::min(j + 1, hard.rows - 1); ++y) {
-        for (int x = std::max(i - 1, 0); x <= std::min(i + 1, hard.cols - 1); ++x) {
-          if (x == i && y == j) continue;
-          // Not a number beyond the far plane, where it makes no difference.
-          if (!(std::abs(depth_.at<float>(y, x) - here) < 0.08F * here)) continue;
-          sum += hard.at<float>(y, x);
-          weight += 1.F;
-        }
-      }
-      lit.at<float>(j, i) = sum / weight;
+void LampShadows::Soften(std::size_t disc) {
+  cv::Mat& lit = lit_[disc];
+  for (int j = 0; j < hard_.rows; ++j) {
+    const int first = std::max(j - 1, 0), last = std::min(j + 1, hard_.rows - 1);
+    bool all_lit = true;
+    for (int y = first; y <= last; ++y) {
+      const auto* row = hard_.ptr<float>(y);
+      all_lit = all_lit && std::all_of(row, row + hard_.cols, [](float f) { return f == 1.F; });
     }
+    all_lit_[disc][static_cast<std::size_t>(j)] = all_lit ? 1 : 0;
+    if (all_lit) {
+      lit.row(j).setTo(1.0);
+    } else {
+      SoftenRow(j, lit.ptr<float>(j));
+    }
+  }
+}
+
+void LampShadows::SoftenRow(int j, float* lit) const {
+  for (int i = 0; i < hard_.cols; ++i) {
+    const float here = depth_.at<float>(j, i);
+    float sum = hard_.at<float>(j, i), weight = 1.F;
+    for (int y = std::max(j - 1, 0); y <= std::min(j + 1, hard_.rows - 1); ++y) {
+      for (int x = std::max(i - 1, 0); x <= std::min(i + 1, hard_.cols - 1); ++x) {
+        if (x == i && y == j) continue;
+        // Not a number beyond the far plane, where it makes no difference.
+        if (!(std::abs(depth_.at<float>(y, x) - here) < 0.08F * here)) continue;
+        sum += hard_.at<float>(y, x);
+        weight += 1.F;
+      }
+    }
+    lit[i] = sum / weight;
   }
 }
 
@@ -129,9 +150,13 @@ void LampShadows::WidenAround(int row) {
 }
 
 const float* LampShadows::Row(std::size_t disc, int v, const float* depth) {
-  WidenAround(v / kRaster);
-  const auto corners = [&](std::size_t below) {
-    const WideRow &lit = wide_lit_[disc][below], &of_depth = wide_depth_[below];
+  const int row = v / kRaster;
+  const std::vector<char>& all_lit = all_lit_[disc];
+  const auto below = std::min(static_cast<std::size_t>(row) + 1, all_lit.size() - 1);
+  if (all_lit[static_cast<std::size_t>(row)] != 0 && all_lit[below] != 0) return open_.data();
+  WidenAround(row);
+  const auto corners = [&](std::size_t which) {
+    const WideRow &lit = wide_lit_[disc][which], &of_depth = wide_depth_[which];
     return rows::RasterCorners{{lit[0].data(), lit[1].data()},
                                {of_depth[0].data(), of_depth[1].data()}};
   };

@@ -37,9 +37,12 @@ class LampShadows {
  private:
   static constexpr int kRaster = 4;  ///< [px]
 
-  void LookFrom(const ShiningDisc& disc, const Pose& T_WC, cv::Mat& lit);
+  void LookFrom(const ShiningDisc& disc, const Pose& T_WC);
+  /// Row `j` of the raster; its points look at three places in turn.
+  void LookAlongRow(const Eigen::Vector3f* places, const Pose& T_WC, int j);
   /// The mean of each point's neighbourhood, of those of its surface.
-  void Soften(const cv::Mat& hard, cv::Mat& lit) const;
+  void Soften(std::size_t disc);
+  void SoftenRow(int j, float* lit) const;
   /// A raster's row at full width, of the points left (0) and right (1) of each pixel.
   using WideRow = std::array<std::vector<float>, 2>;
   void Widen(const cv::Mat& raster, int row, WideRow& wide) const;
@@ -55,7 +58,11 @@ class LampShadows {
   std::array<WideRow, 2> wide_depth_;             ///< Above and below the row in work,
   std::vector<std::array<WideRow, 2>> wide_lit_;  ///< and of each disc.
   int wide_row_ = -1;                             ///< The raster's row of these; -1: none yet.
+  std::vector<std::vector<char>> all_lit_;  ///< Whether a row of a disc's raster has no shadow.
   std::vector<float> row_;
+  std::vector<float> open_;  ///< Ones.
+  RayFan from_, to_;         ///< Rays of the row in work,
+  std::vector<int> column_;  ///< and their columns.
 };
 
 }  // namespace drydock::sim

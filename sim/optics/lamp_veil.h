@@ -46,7 +46,7 @@ class LampVeil {
 
  private:
   static constexpr int kRaster = 32;  ///< [px]
-  static constexpr int kPieces = 14;  ///< Of each ray.
+  static constexpr int kPieces = 10;  ///< Of each ray.
 
   Eigen::Array3d SourceAt(const Eigen::Vector3d& ray_C, double range) const;
   Eigen::Array3d IntegrateAlong(const Eigen::Vector3d& ray_C, double begin, double end) const;
