@@ -27,6 +27,7 @@ DiveViews Bus(std::vector<std::string> overrides) {
 
 void Write(const std::filesystem::path& path, const std::vector<LabelledViews>& all) {
   std::vector<PictureRow> rows;
+  rows.reserve(all.size());
   for (const auto& [label, views] : all) rows.push_back({label, LeftImages(views)});
   WritePictureRows(path, rows);
 }

@@ -39,7 +39,7 @@ void AddSand(SceneModel& model, const RockField& rock, const SandFloor& sand, st
       seen.Erase([&](const Vector3d& p) { return rock.At(p) < -kInside; });
       // A few triangles are no mesh that MuJoCo takes.
       const bool is_scrap = !seen.IsEmpty() && seen.triangles.size() < 12;
-      model.Add("sand", "sand", is_scrap ? tile : std::move(seen));
+      model.Add("sand", "sand", is_scrap ? tile : seen);
     }
   }
 }

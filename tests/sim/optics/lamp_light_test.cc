@@ -142,7 +142,7 @@ TEST(LampLight, SumsOverLampsAndChannels) {
   EXPECT_LT(cv::norm(both, sum, cv::NORM_INF), 1e-6);
   const cv::Mat grey = See(water, {left, right}, Wall(2.F, 180), ImageChannels::kMonochrome);
   for (const cv::Point at : {cv::Point(20, 30), cv::Point(100, 75), cv::Point(180, 140)}) {
-    const cv::Vec3f color = both.at<cv::Vec3f>(at);
+    const cv::Vec3f& color = both.at<cv::Vec3f>(at);
     EXPECT_NEAR(grey.at<float>(at), 0.30 * color[0] + 0.45 * color[1] + 0.25 * color[2], 1e-6);
   }
 }
