@@ -24,10 +24,7 @@ SceneModel BuildBusModel(std::uint64_t seed) {
 }
 
 void GenerateBus(std::uint64_t seed, const std::filesystem::path& directory, double texture_scale) {
-  std::filesystem::create_directories(directory / "textures");
-  for (const TextureTask& task : TextureTasks()) {
-    WritePng(task.paint(seed, texture_scale), directory / "textures" / (task.name + ".png"));
-  }
+  PaintTextures(TextureTasks(), seed, texture_scale, directory / "textures");
   WriteMjcf(BuildBusModel(seed), "bus", directory);
 }
 

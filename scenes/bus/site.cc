@@ -11,6 +11,7 @@
 #include "scenes/bus/bus_shape.h"
 #include "scenes/mesh/lattice_noise.h"
 #include "scenes/mesh/shapes.h"
+#include "scenes/mesh/smooth_step.h"
 #include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::bus {
@@ -20,11 +21,6 @@ using Eigen::Vector3d;
 
 const Vector2d kMiddle(6.2, kBusY);
 constexpr int kHalf = kTiles / 2;
-
-double SmoothStep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 Vector2d TileCorner(int i, int j) {
   return kMiddle + kTile * Vector2d(i - kHalf - 0.5, j - kHalf - 0.5);

@@ -9,6 +9,7 @@
 
 #include "scenes/bus/site.h"
 #include "scenes/bus/textures.h"
+#include "scenes/texture/materials.h"
 #include "scenes/texture/stamps.h"
 
 namespace drydock::scenes::bus {
@@ -54,9 +55,9 @@ class RimmedNoise {
 };
 
 void PaintSediment(Canvas& canvas, const RimmedNoise& noise) {
-  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
   const cv::Mat1f fine = noise(0.03, 0.004, 0.85, "fine");
-  canvas.Blend(everywhere, noise(1.6, 0.01, 0.62, "base"), Rgb(78, 69, 50), Rgb(172, 160, 126));
+  canvas.Blend(Everywhere(canvas), noise(1.6, 0.01, 0.62, "base"), Rgb(78, 69, 50),
+               Rgb(172, 160, 126));
   // Ripples: crests pale, troughs full of dark flakes.
   const cv::Mat1f warp = noise(1.5, 0.1, 0.5, "warp");
   const cv::Mat1f where = noise(2.0, 0.1, 0.55, "ripples where");

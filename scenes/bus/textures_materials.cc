@@ -4,24 +4,18 @@
 
 #include "scenes/bus/panel_painter.h"
 #include "scenes/bus/textures.h"
+#include "scenes/texture/materials.h"
 #include "scenes/texture/weathering.h"
 
 namespace drydock::scenes::bus {
 namespace {
 
-/// White along the field's zero lines: cracks, veins, the grooves of bark.
-cv::Mat1b ZeroLines(const cv::Mat1f& field, double width) {
-  cv::Mat1f distance = cv::abs(field);
-  return 255 - Ramp(distance, 0.5 * width, width);
-}
-
 cv::Mat3b PaintStone(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/stone");
   Canvas canvas(1.6, 1.6, 640 * scale, Rgb(120, 116, 106), true);
-  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
   const cv::Mat1f fine = canvas.Noise(0.02, 0.003, 0.85, keys.Key("fine"));
-  canvas.Blend(everywhere, canvas.Noise(0.5, 0.004, 0.68, keys.Key("base")), Rgb(60, 57, 50),
-               Rgb(170, 164, 148));
+  canvas.Blend(Everywhere(canvas), canvas.Noise(0.5, 0.004, 0.68, keys.Key("base")),
+               Rgb(60, 57, 50), Rgb(170, 164, 148));
   canvas.Blend(Coverage(canvas.Noise(0.3, 0.004, 0.7, keys.Key("dark")), 0.17, 0.15), fine,
                Rgb(38, 36, 32), Rgb(82, 76, 66), 0.85);
   canvas.Blend(ZeroLines(canvas.Noise(0.5, 0.02, 0.55, keys.Key("cracks")), 0.05), Rgb(30, 28, 24),
@@ -42,9 +36,8 @@ cv::Mat3b PaintStone(std::uint64_t seed, double scale) {
 cv::Mat3b PaintBark(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/bark");
   Canvas canvas(1.0, 1.0, 800 * scale, Rgb(78, 62, 46), true);
-  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
   const cv::Mat1f fibre = canvas.Noise(0.05, 0.004, 0.75, keys.Key("fibre"), 5.0);
-  canvas.Blend(everywhere, fibre, Rgb(44, 34, 26), Rgb(126, 104, 78));
+  canvas.Blend(Everywhere(canvas), fibre, Rgb(44, 34, 26), Rgb(126, 104, 78));
   canvas.Blend(ZeroLines(canvas.Noise(0.06, 0.006, 0.6, keys.Key("grooves"), 4.0), 0.22),
                Rgb(22, 18, 14), 0.85);
   canvas.Blend(Coverage(canvas.Noise(0.3, 0.005, 0.65, keys.Key("bare")), 0.17, 0.1), fibre,
@@ -60,10 +53,9 @@ cv::Mat3b PaintBark(std::uint64_t seed, double scale) {
 cv::Mat3b PaintPlanks(std::uint64_t seed, double scale) {
   const NoiseKeys keys(seed, "bus/planks");
   Canvas canvas(1.0, 1.0, 768 * scale, Rgb(110, 92, 68), true);
-  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
   // Grain runs along u: stretch < 1 makes features wider than high.
   const cv::Mat1f grain = canvas.Noise(0.25, 0.02, 0.8, keys.Key("grain"), 0.08);
-  canvas.Blend(everywhere, grain, Rgb(58, 46, 34), Rgb(154, 134, 102));
+  canvas.Blend(Everywhere(canvas), grain, Rgb(58, 46, 34), Rgb(154, 134, 102));
   canvas.Blend(ZeroLines(canvas.Noise(0.5, 0.1, 0.6, keys.Key("splits"), 0.08), 0.08),
                Rgb(26, 20, 16), 0.8);
   PanelPainter painter(canvas, [](double a, double b) { return cv::Point2d(a, b); });

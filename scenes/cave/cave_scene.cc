@@ -20,10 +20,7 @@ SceneModel BuildCaveModel(const CavePlan& plan, std::uint64_t seed) {
 
 void GenerateCave(const CavePlan& plan, std::uint64_t seed, const std::filesystem::path& directory,
                   double texture_scale) {
-  std::filesystem::create_directories(directory / "textures");
-  for (const TextureTask& task : TextureTasks()) {
-    WritePng(task.paint(seed, texture_scale), directory / "textures" / (task.name + ".png"));
-  }
+  PaintTextures(TextureTasks(), seed, texture_scale, directory / "textures");
   WriteMjcf(BuildCaveModel(plan, seed), plan.name, directory);
 }
 

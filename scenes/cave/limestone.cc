@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <opencv2/imgproc.hpp>
-
 #include "scenes/texture/materials.h"
 #include "scenes/texture/stamps.h"
 
@@ -25,20 +23,13 @@ const Rgb kSiltBright(182, 170, 140);
 /// Where both masks are.
 cv::Mat1b Within(const cv::Mat1b& a, const cv::Mat1b& b) { return a.mul(b, 1.0 / 255.0); }
 
-void Ellipse(Canvas& canvas, double x, double y, double a, double b, double angle,
-             const Rgb& color) {
-  cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
-              angle, 0, 360, {double(color[0]), double(color[1]), double(color[2])}, cv::FILLED,
-              cv::LINE_AA, Canvas::kShift);
-}
-
 /// The round shells of large foraminifers, cut at any angle.
 void DrawCoin(Canvas& canvas, double x, double y, double radius, RandomStream& random) {
-  const double angle = random.Uniform(0.0, 180.0);
+  const double angle = random.Uniform(0.0, std::numbers::pi);
   const double narrow = random.Uniform(0.12, 1.0);
-  Ellipse(canvas, x, y, 1.3 * radius, 1.3 * narrow * radius + 0.002, angle, Rgb(84, 72, 54));
-  Ellipse(canvas, x, y, radius, narrow * radius, angle, Rgb(226, 218, 196));
-  Ellipse(canvas, x, y, 0.45 * radius, 0.4 * narrow * radius, angle, Rgb(176, 162, 132));
+  FillEllipse(canvas, x, y, 1.3 * radius, 1.3 * narrow * radius + 0.002, angle, Rgb(84, 72, 54));
+  FillEllipse(canvas, x, y, radius, narrow * radius, angle, Rgb(226, 218, 196));
+  FillEllipse(canvas, x, y, 0.45 * radius, 0.4 * narrow * radius, angle, Rgb(176, 162, 132));
 }
 
 /// A crust that covers what is there, dark at its rim, with flaked spots.
@@ -117,11 +108,6 @@ void AddFossils(Canvas& canvas, const Limestone& look, const NoiseKeys& keys) {
 }
 
 }  // namespace
-
-cv::Mat1b ZeroLines(const cv::Mat1f& field, double width) {
-  const cv::Mat1f distance = cv::abs(field);
-  return 255 - Ramp(distance, 0.5 * width, width);
-}
 
 void AddGrain(Canvas& canvas, double grain, double specks, const NoiseKeys& keys) {
   canvas.Modulate(canvas.Noise(0.05, 0.004, 0.9, keys.Key("grain")), grain);

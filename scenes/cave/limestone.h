@@ -22,9 +22,6 @@ struct Limestone {
 
 void PaintLimestone(Canvas& canvas, const Limestone& look, const NoiseKeys& keys);
 
-/// 255 on the field's zero lines, which are this wide in standard deviations.
-cv::Mat1b ZeroLines(const cv::Mat1f& field, double width);
-
 /// Grain and specks of some millimetres, which a camera close by holds on to.
 void AddGrain(Canvas& canvas, double grain, double specks, const NoiseKeys& keys);
 

@@ -6,6 +6,7 @@
 
 #include "scenes/mesh/cell_noise.h"
 #include "scenes/mesh/lattice_noise.h"
+#include "scenes/mesh/smooth_step.h"
 #include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::cave {
@@ -16,11 +17,6 @@ using Eigen::Vector3d;
 // Detail is asked for only where it can matter: no part of it digs deeper, none stands out further.
 constexpr double kDeepest = 1.6;  // [m]
 constexpr double kProudest = 0.55;
-
-double SmoothStep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 /// The larger one, rounded where the two are within `width` of each other; never less than either.
 double SmoothMax(double a, double b, double width) {

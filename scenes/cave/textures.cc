@@ -133,22 +133,6 @@ cv::Mat3b PaintDripstone(std::uint64_t seed, double scale) {
   return canvas.image();
 }
 
-/// Ripples that meet themselves at the picture's rim.
-cv::Mat1f Ripples(const Canvas& canvas, const NoiseKeys& keys) {
-  const cv::Mat1f warp = canvas.Noise(1.5, 0.1, 0.5, keys.Key("warp"));
-  const cv::Mat1f where = canvas.Noise(1.9, 0.1, 0.55, keys.Key("ripples where"));
-  cv::Mat1f ripples(canvas.size());
-  const double turn = 2 * std::numbers::pi / canvas.size().width;
-  for (int y = 0; y < ripples.rows; ++y) {
-    for (int x = 0; x < ripples.cols; ++x) {
-      const double phase = turn * (31.0 * y + 22.0 * x) + 3.2 * warp(y, x);
-      const float strength = std::clamp(0.4F + 0.7F * where(y, x), 0.0F, 1.2F);
-      ripples(y, x) = strength * static_cast<float>(std::sin(phase));
-    }
-  }
-  return ripples;
-}
-
 void StrewSand(Canvas& canvas, const NoiseKeys& keys) {
   RandomStream random(keys.Key("things"), "strewn");
   const auto pebble = [](double low, double high) -> DrawThing {
@@ -172,7 +156,7 @@ cv::Mat3b PaintSand(std::uint64_t seed, double scale) {
   const cv::Mat1f fine = canvas.Noise(0.03, 0.004, 0.85, keys.Key("fine"));
   canvas.Blend(Everywhere(canvas), canvas.Noise(1.4, 0.01, 0.64, keys.Key("base")),
                Rgb(112, 100, 76), Rgb(208, 198, 168));
-  const cv::Mat1f ripples = Ripples(canvas, keys);
+  const cv::Mat1f ripples = Ripples(canvas, keys, {22, 31, 3.2, 1.9, 0.4F, 1.2F});
   canvas.Blend(Ramp(ripples, 0.4, 1.2), Rgb(214, 204, 174), 0.5);
   canvas.Blend(Ramp(-ripples, 0.4, 1.2), Rgb(88, 76, 56), 0.55);
   canvas.Blend(Coverage(canvas.Noise(0.9, 0.006, 0.68, keys.Key("silt")), 0.16, 0.3), fine,

@@ -22,10 +22,7 @@ SceneModel BuildCemeteryModel(std::uint64_t seed) {
 
 void GenerateCemetery(std::uint64_t seed, const std::filesystem::path& directory,
                       double texture_scale) {
-  std::filesystem::create_directories(directory / "textures");
-  for (const TextureTask& task : TextureTasks()) {
-    WritePng(task.paint(seed, texture_scale), directory / "textures" / (task.name + ".png"));
-  }
+  PaintTextures(TextureTasks(), seed, texture_scale, directory / "textures");
   WriteMjcf(BuildCemeteryModel(seed), "cemetery", directory);
 }
 

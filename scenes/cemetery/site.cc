@@ -5,6 +5,7 @@
 
 #include "scenes/mesh/lattice_noise.h"
 #include "scenes/mesh/shapes.h"
+#include "scenes/mesh/smooth_step.h"
 #include "sensors_models/base/random_stream.h"
 
 namespace drydock::scenes::cemetery {
@@ -12,11 +13,6 @@ namespace {
 using Eigen::Vector2d;
 
 const Vector2d kMiddle(0.5 * (kWest + kEast), 0.5 * (kSouth + kNorth));
-
-double SmoothStep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 }  // namespace
 

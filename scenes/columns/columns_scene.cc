@@ -62,10 +62,7 @@ SceneModel BuildColumnsModel(std::uint64_t seed) {
 
 void GenerateColumns(std::uint64_t seed, const std::filesystem::path& directory,
                      double texture_scale) {
-  std::filesystem::create_directories(directory / "textures");
-  for (const TextureTask& task : TextureTasks()) {
-    WritePng(task.paint(seed, texture_scale), directory / "textures" / (task.name + ".png"));
-  }
+  PaintTextures(TextureTasks(), seed, texture_scale, directory / "textures");
   WriteMjcf(BuildColumnsModel(seed), "columns", directory);
 }
 

@@ -53,22 +53,6 @@ cv::Mat3b PaintInscription(std::uint64_t seed, double scale) {
   return canvas.image();
 }
 
-/// Ripples that meet themselves at the picture's rim.
-cv::Mat1f Ripples(const Canvas& canvas, const NoiseKeys& keys) {
-  const cv::Mat1f warp = canvas.Noise(1.5, 0.1, 0.5, keys.Key("warp"));
-  const cv::Mat1f where = canvas.Noise(2.0, 0.1, 0.55, keys.Key("ripples where"));
-  cv::Mat1f ripples(canvas.size());
-  const double turn = 2 * std::numbers::pi / canvas.size().width;
-  for (int y = 0; y < ripples.rows; ++y) {
-    for (int x = 0; x < ripples.cols; ++x) {
-      const double phase = turn * (9.0 * y + 34.0 * x) + 3.0 * warp(y, x);
-      const float strength = std::clamp(0.6F + 0.7F * where(y, x), 0.0F, 1.3F);
-      ripples(y, x) = strength * static_cast<float>(std::sin(phase));
-    }
-  }
-  return ripples;
-}
-
 void StrewPebblesAndShells(Canvas& canvas, std::uint64_t key) {
   RandomStream random(key, "strewn");
   Strew(canvas, 2600, random, [](Canvas& c, double x, double y, double size, RandomStream& look) {
@@ -85,7 +69,7 @@ cv::Mat3b PaintSand(std::uint64_t seed, double scale) {
   const cv::Mat1f fine = canvas.Noise(0.03, 0.004, 0.85, keys.Key("fine"));
   canvas.Blend(Everywhere(canvas), canvas.Noise(1.4, 0.01, 0.62, keys.Key("base")),
                Rgb(112, 102, 78), Rgb(204, 194, 160));
-  const cv::Mat1f ripples = Ripples(canvas, keys);
+  const cv::Mat1f ripples = Ripples(canvas, keys, {.across = 34, .down = 9});
   canvas.Blend(Ramp(ripples, 0.5, 1.3), Rgb(206, 194, 160), 0.5);
   canvas.Blend(Ramp(-ripples, 0.5, 1.3), Rgb(92, 82, 60), 0.5);
   canvas.Blend(Coverage(canvas.Noise(0.7, 0.006, 0.68, keys.Key("detritus")), 0.12, 0.3), fine,

@@ -6,9 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include <opencv2/imgproc.hpp>
-
 #include "scenes/creatures/fish_shape.h"
+#include "scenes/mesh/smooth_step.h"
 #include "scenes/texture/stamps.h"
 
 namespace drydock::scenes::creatures {
@@ -80,8 +79,7 @@ void ForPixels(Canvas& canvas, const cv::Rect2d& area,
 }
 
 float Step(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return static_cast<float>(t * t * (3.0 - 2.0 * t));
+  return static_cast<float>(SmoothStep(low, high, x));
 }
 
 cv::Vec3f Float(const Rgb& c) { return {float(c[0]), float(c[1]), float(c[2])}; }
@@ -158,10 +156,7 @@ void DrawHead(Canvas& canvas, const Coat& coat) {
   const cv::Point2d eye(0.088, 0.36 * h);
   const auto disc = [&](double radius, const Rgb& color, double dx) {
     // The picture is as high as the fish is round: a circle on the head is an ellipse here.
-    cv::ellipse(canvas.image(), canvas.Fixed(eye.x + dx, eye.y),
-                {canvas.FixedLength(radius), canvas.FixedLength(1.5 * radius)}, 0, 0, 360,
-                {double(color[0]), double(color[1]), double(color[2])}, cv::FILLED, cv::LINE_AA,
-                Canvas::kShift);
+    FillEllipse(canvas, eye.x + dx, eye.y, radius, 1.5 * radius, 0.0, color);
   };
   disc(0.027, dark, 0.0);
   disc(0.024, coat.eye, 0.0);

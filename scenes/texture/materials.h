@@ -25,6 +25,18 @@ struct StoneColors {
 /// Hewn stone with pits and lichen, over the whole canvas.
 void PaintStone(Canvas& canvas, const NoiseKeys& keys, const StoneColors& colors = {});
 
+/// Ripples of sand that meet themselves at the rim of a canvas that wraps.
+struct RippleShape {
+  int across = 0;          ///< Waves along the canvas's width,
+  int down = 0;            ///< and along its height.
+  double warp = 3.0;       ///< How far noise bends them [rad].
+  double where_m = 2.0;    ///< Size of the stretches with more and with less of them [m].
+  float strength = 0.6F;   ///< Mean; noise adds 0.7 times itself to it,
+  float strongest = 1.3F;  ///< and it stays between 0 and this.
+};
+/// About a sine of that strength.
+cv::Mat1f Ripples(const Canvas& canvas, const NoiseKeys& keys, const RippleShape& shape);
+
 /// Draws one thing at (x, y) [m]; `size` is uniform in (0, 1).
 using DrawThing =
     std::function<void(Canvas& canvas, double x, double y, double size, RandomStream& look)>;

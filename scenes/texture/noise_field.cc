@@ -136,6 +136,11 @@ cv::Mat1b Ramp(const cv::Mat1f& field, double low, double high) {
   return mask;
 }
 
+cv::Mat1b ZeroLines(const cv::Mat1f& field, double width) {
+  const cv::Mat1f distance = cv::abs(field);
+  return 255 - Ramp(distance, 0.5 * width, width);
+}
+
 void AddMask(cv::Mat1f& field, const cv::Mat1b& mask, double weight) {
   const auto gain = static_cast<float>(weight / 255.0);
   for (int y = 0; y < field.rows; ++y) {

@@ -27,6 +27,10 @@ cv::Mat1b Coverage(const cv::Mat1f& field, double fraction, double softness);
 /// As Coverage, between the thresholds themselves: 0 below `low`, 255 above `high`.
 cv::Mat1b Ramp(const cv::Mat1f& field, double low, double high);
 
+/// 255 on the field's zero lines, which are this wide in standard deviations: cracks, veins, the
+/// grooves of bark.
+cv::Mat1b ZeroLines(const cv::Mat1f& field, double width);
+
 /// field += weight * mask / 255: for drawing what grows towards edges and seams.
 void AddMask(cv::Mat1f& field, const cv::Mat1b& mask, double weight);
 

@@ -29,12 +29,6 @@ Rgb MixRgb(const Rgb& a, const Rgb& b, double t) {
   return out;
 }
 
-void Ellipse(Canvas& canvas, double x, double y, double a, double b, double angle,
-             const Rgb& color) {
-  cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
-              angle * kDegrees, 0, 360, ToScalar(color), cv::FILLED, cv::LINE_AA, kShift);
-}
-
 void Arc(Canvas& canvas, double x, double y, double a, double b, double angle, const Rgb& color) {
   cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
               angle * kDegrees, 20, 160, ToScalar(color), 1, cv::LINE_AA, kShift);
@@ -45,16 +39,16 @@ void DrawMussel(Canvas& canvas, double x, double y, RandomStream& random) {
   if (random.Uniform() < 0.35) {
     // A barnacle or a limpet: a pale ring with a dark mouth.
     const double r = random.Uniform(0.003, 0.008);
-    Ellipse(canvas, x, y, r * 1.25, r * 1.2, 0.0, Rgb(44, 42, 36));
-    Ellipse(canvas, x, y, r, r * 0.9, angle,
-            MixRgb({170, 166, 150}, {206, 202, 188}, random.Uniform()));
-    Ellipse(canvas, x, y, r * 0.35, r * 0.3, angle, Rgb(52, 48, 42));
+    FillEllipse(canvas, x, y, r * 1.25, r * 1.2, 0.0, Rgb(44, 42, 36));
+    FillEllipse(canvas, x, y, r, r * 0.9, angle,
+                MixRgb({170, 166, 150}, {206, 202, 188}, random.Uniform()));
+    FillEllipse(canvas, x, y, r * 0.35, r * 0.3, angle, Rgb(52, 48, 42));
     return;
   }
   const double length = random.Uniform(0.006, 0.015);
   const Rgb shell = MixRgb({44, 34, 26}, {120, 98, 68}, random.Uniform());
-  Ellipse(canvas, x, y + 0.1 * length, length * 1.1, length * 0.62, angle, Rgb(22, 20, 16));
-  Ellipse(canvas, x, y, length, length * 0.5, angle, shell);
+  FillEllipse(canvas, x, y + 0.1 * length, length * 1.1, length * 0.62, angle, Rgb(22, 20, 16));
+  FillEllipse(canvas, x, y, length, length * 0.5, angle, shell);
   Arc(canvas, x, y, length * 0.8, length * 0.3, angle, Rgb(190, 176, 140));
 }
 
@@ -83,11 +77,11 @@ void DrawPebble(Canvas& canvas, double x, double y, double radius, RandomStream&
   const Rgb color = MixRgb(grey, tint, random.Uniform(0.0, 0.5));
   const double angle = random.Uniform(0.0, std::numbers::pi);
   const double b = radius * random.Uniform(0.6, 1.0);
-  Ellipse(canvas, x + 0.12 * radius, y + 0.15 * radius, radius * 1.12, b * 1.12, angle,
-          Rgb(46, 42, 34));
-  Ellipse(canvas, x, y, radius, b, angle, color);
-  Ellipse(canvas, x - 0.15 * radius, y - 0.18 * radius, radius * 0.6, b * 0.55, angle,
-          Shade(color, 1.14));
+  FillEllipse(canvas, x + 0.12 * radius, y + 0.15 * radius, radius * 1.12, b * 1.12, angle,
+              Rgb(46, 42, 34));
+  FillEllipse(canvas, x, y, radius, b, angle, color);
+  FillEllipse(canvas, x - 0.15 * radius, y - 0.18 * radius, radius * 0.6, b * 0.55, angle,
+              Shade(color, 1.14));
   if (radius * canvas.scale() > 6.0 && random.Uniform() < 0.4) {
     const double dx = radius * std::cos(angle);
     const double dy = radius * std::sin(angle);
@@ -99,9 +93,9 @@ void DrawPebble(Canvas& canvas, double x, double y, double radius, RandomStream&
 void DrawShell(Canvas& canvas, double x, double y, double length, RandomStream& random) {
   const double angle = random.Uniform(0.0, 2.0 * std::numbers::pi);
   const Rgb color = MixRgb({196, 188, 168}, {236, 230, 216}, random.Uniform());
-  Ellipse(canvas, x + 0.1 * length, y + 0.1 * length, length * 0.55, length * 0.4, angle,
-          Rgb(50, 46, 38));
-  Ellipse(canvas, x, y, length * 0.5, length * 0.34, angle, color);
+  FillEllipse(canvas, x + 0.1 * length, y + 0.1 * length, length * 0.55, length * 0.4, angle,
+              Rgb(50, 46, 38));
+  FillEllipse(canvas, x, y, length * 0.5, length * 0.34, angle, color);
   Arc(canvas, x, y, length * 0.36, length * 0.22, angle, Rgb(120, 104, 84));
   Arc(canvas, x, y, length * 0.22, length * 0.12, angle, Rgb(134, 118, 96));
 }
@@ -159,15 +153,21 @@ void DrawTwig(Canvas& canvas, double x, double y, double length, RandomStream& r
 }
 
 void DrawRivet(Canvas& canvas, cv::Mat1b& edges, double x, double y, double radius) {
-  Ellipse(canvas, x, y, radius * 1.35, radius * 1.35, 0, Rgb(50, 40, 26));
+  FillEllipse(canvas, x, y, radius * 1.35, radius * 1.35, 0, Rgb(50, 40, 26));
   const cv::Vec3b under = canvas.image()(
       std::clamp(static_cast<int>((y - 2 * radius) * canvas.scale()), 0, canvas.size().height - 1),
       std::clamp(static_cast<int>(x * canvas.scale()), 0, canvas.size().width - 1));
-  Ellipse(canvas, x, y, radius, radius, 0, Shade(under, 0.92));
-  Ellipse(canvas, x - 0.25 * radius, y - 0.3 * radius, radius * 0.45, radius * 0.45, 0,
-          Shade(under, 1.2));
+  FillEllipse(canvas, x, y, radius, radius, 0, Shade(under, 0.92));
+  FillEllipse(canvas, x - 0.25 * radius, y - 0.3 * radius, radius * 0.45, radius * 0.45, 0,
+              Shade(under, 1.2));
   cv::circle(edges, canvas.Fixed(x, y), canvas.FixedLength(1.6 * radius), cv::Scalar(190),
              cv::FILLED, cv::LINE_8, kShift);
+}
+
+void FillEllipse(Canvas& canvas, double x, double y, double a, double b, double angle,
+                 const Rgb& color) {
+  cv::ellipse(canvas.image(), canvas.Fixed(x, y), {canvas.FixedLength(a), canvas.FixedLength(b)},
+              angle * kDegrees, 0, 360, ToScalar(color), cv::FILLED, cv::LINE_AA, kShift);
 }
 
 void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, const Rgb& color) {

@@ -24,6 +24,9 @@ void DrawTwig(Canvas& canvas, double x, double y, double length, RandomStream& r
 /// A rivet's or a screw's head; also white on `edges`, where rust starts.
 void DrawRivet(Canvas& canvas, cv::Mat1b& edges, double x, double y, double radius);
 
+/// A filled ellipse of half axes a and b [m], a turned from x towards y by `angle` [rad].
+void FillEllipse(Canvas& canvas, double x, double y, double a, double b, double angle,
+                 const Rgb& color);
 /// A filled polygon or a line, corners [m].
 void FillPolygon(Canvas& canvas, const std::vector<cv::Point2d>& corners, const Rgb& color);
 void DrawLine(Canvas& canvas, cv::Point2d from, cv::Point2d to, double width, const Rgb& color);

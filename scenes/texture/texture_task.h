@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "scenes/texture/canvas.h"
 
@@ -14,5 +16,10 @@ struct TextureTask {
   std::string name;
   std::function<cv::Mat3b(std::uint64_t seed, double scale)> paint;
 };
+
+/// Writes `directory`/NAME.png of each task; the folder is made if need be. InputError if a file
+/// cannot be written.
+void PaintTextures(const std::vector<TextureTask>& tasks, std::uint64_t seed, double scale,
+                   const std::filesystem::path& directory);
 
 }  // namespace drydock::scenes

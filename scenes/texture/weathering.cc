@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "scenes/texture/materials.h"
 #include "scenes/texture/stamps.h"
 
 namespace drydock::scenes {
@@ -79,8 +80,7 @@ void Overgrow(Canvas& canvas, const Weathering& w, const NoiseKeys& keys) {
 void PaintRust(Canvas& canvas, const NoiseKeys& keys) {
   const cv::Mat1f large = canvas.Noise(0.35, 0.004, 0.7, keys.Key("rust large"));
   const cv::Mat1f fine = canvas.Noise(0.04, 0.003, 0.8, keys.Key("rust fine"));
-  const cv::Mat1b everywhere(canvas.size(), std::uint8_t{255});
-  canvas.Blend(everywhere, fine, kRustDark, kRustBright);
+  canvas.Blend(Everywhere(canvas), fine, kRustDark, kRustBright);
   canvas.Blend(Coverage(large, 0.376, 0.15), fine, Rgb(34, 24, 20), Rgb(88, 56, 38), 0.9);
   canvas.Blend(Coverage(-large, 0.071, 0.1), fine, Rgb(140, 84, 44), Rgb(190, 122, 64), 0.8);
   canvas.Blend(Rim(large, 0.4, 0.09), Rgb(22, 15, 12), 0.7);
