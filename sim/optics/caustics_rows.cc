@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/optics/row_math.h"
 #include "sim/optics/vector_clones.h"
 
 namespace drydock::sim::rows {
@@ -12,12 +13,6 @@ namespace {
 
 constexpr int kWrap = kTileCells - 1;
 static_assert((kTileCells & kWrap) == 0, "cells wrap by their low bits");
-
-/// Adding and taking away 1.5 * 2^23 rounds to the nearest whole number.
-inline __attribute__((always_inline)) float Round(float x) {
-  constexpr float kRound = 12582912.F;
-  return (x + kRound) - kRound;
-}
 
 /// Keeps whole numbers of cells small enough for integers; what is not a number becomes one.
 inline __attribute__((always_inline)) float Limit(float cells) {
@@ -27,10 +22,6 @@ inline __attribute__((always_inline)) float Limit(float cells) {
 
 /// Of surfaces [m].
 constexpr float kFar = 1000.F;
-
-inline __attribute__((always_inline)) float Mix(float a, float b, float share) {
-  return a + share * (b - a);
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/optics/row_math.h"
 #include "sim/optics/vector_clones.h"
 
 namespace drydock::sim::rows {
@@ -20,10 +21,6 @@ inline __attribute__((always_inline)) float ToPoints(const Lattice& lattice, int
 
 inline __attribute__((always_inline)) float Byte(std::uint32_t word, int i) {
   return static_cast<float>(static_cast<int>((word >> (8 * i)) & 0xFFU));
-}
-
-inline __attribute__((always_inline)) float Mix(float a, float b, float share) {
-  return a + share * (b - a);
 }
 
 }  // namespace

@@ -1,22 +1,14 @@
 #include "sim/optics/lamp_light.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drydock::sim {
 namespace {
 
-/// Within this distance a lamp's light grows no more [m].
-constexpr double kNearest = 0.05;
-
 std::vector<LampInCamera> SeenFrom(const std::vector<LampConfig>& lamps, const Pose& T_IC) {
-  const Pose T_CI = T_IC.Inverse();
   std::vector<LampInCamera> seen;
   seen.reserve(lamps.size());
-  for (const LampConfig& lamp : lamps) {
-    seen.push_back({T_CI * lamp.position_m, T_CI.q() * AxisOf(lamp), SharpnessOf(lamp),
-                    lamp.intensity_cd / kFullSunLux * lamp.color.array()});
-  }
+  for (const LampConfig& lamp : lamps) seen.push_back(SeenFrom(lamp, T_IC));
   return seen;
 }
 
@@ -36,7 +28,7 @@ rows::Lamp ForRows(const LampInCamera& lamp) {
     out.axis_C[i] = static_cast<float>(lamp.axis_C[i]);
   }
   out.sharpness = static_cast<float>(lamp.sharpness);
-  out.nearest = static_cast<float>(kNearest * kNearest);
+  out.nearest = static_cast<float>(LampInCamera::kNearest * LampInCamera::kNearest);
   return out;
 }
 
@@ -89,14 +81,7 @@ void LampLight::AddRow(const rows::RowView& view, const Row& row, const Eigen::A
 
 Eigen::Array3d LampLight::IlluminanceAt(const Eigen::Vector3d& p_C) const {
   Eigen::Array3d sum = Eigen::Array3d::Zero();
-  for (const LampInCamera& lamp : lamps_) {
-    const Eigen::Vector3d way = p_C - lamp.position_C;
-    const double distance = std::max(way.norm(), kNearest);
-    const double off_axis = way.dot(lamp.axis_C) / distance;
-    if (off_axis <= 0.0) continue;
-    sum += lamp.intensity * std::exp(lamp.sharpness * (off_axis - 1.0)) / (distance * distance) *
-           (-attenuation_ * distance).exp();
-  }
+  for (const LampInCamera& lamp : lamps_) sum += lamp.IlluminanceAt(p_C, attenuation_);
   return sum;
 }
 

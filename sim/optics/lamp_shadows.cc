@@ -22,7 +22,7 @@ Eigen::Vector3d PlaceOn(const ShiningDisc& disc, int place) {
   return disc.centre_C + 0.75 * disc.radius * (std::cos(angle) * side + std::sin(angle) * other);
 }
 
-int PointsAlong(int pixels, int raster) { return (pixels - 1 + raster - 1) / raster + 1; }
+int PointsAlong(int pixels, int raster) { return CellsIn(pixels - 1, raster) + 1; }
 
 }  // namespace
 

@@ -11,12 +11,8 @@ namespace {
 
 /// Nothing is seen nearer than this [m].
 constexpr double kNearest = 0.05;
-/// A lamp is no point: within this distance it grows no brighter [m].
-constexpr double kLampRadius = 0.05;
 /// Steps of Simpson's rule in a piece of a ray; even.
 constexpr int kSteps = 8;
-
-int CellsIn(int pixels, int raster) { return (pixels + raster - 1) / raster; }
 
 }  // namespace
 
@@ -63,18 +59,15 @@ LampVeil::LampVeil(const WaterConfig& water, const Pinhole& pinhole,
 
 Eigen::Array3d LampVeil::SourceAt(const Eigen::Vector3d& ray_C, double range) const {
   Eigen::Array3d sum = Eigen::Array3d::Zero();
+  const Eigen::Vector3d p_C = range * ray_C;
   for (const LampInCamera& lamp : lamps_) {
-    const Eigen::Vector3d way = range * ray_C - lamp.position_C;
-    const double distance = std::max(way.norm(), kLampRadius);
-    const double off_axis = way.dot(lamp.axis_C) / distance;
-    if (off_axis <= 0.0) continue;
-    const double beam = std::exp(lamp.sharpness * (off_axis - 1.0));
     // The light goes along `way` and turns against the ray.
-    const double phase = PhaseFunction(-way.dot(ray_C) / distance);
-    sum += lamp.intensity * beam / (distance * distance) * phase *
-           (-attenuation_ * (distance + range)).exp();
+    const Eigen::Vector3d way = p_C - lamp.position_C;
+    const double phase =
+        PhaseFunction(-way.dot(ray_C) / std::max(way.norm(), LampInCamera::kNearest));
+    sum += phase * lamp.IlluminanceAt(p_C, attenuation_);
   }
-  return std::numbers::pi * scattering_ * sum;
+  return std::numbers::pi * scattering_ * sum * (-attenuation_ * range).exp();
 }
 
 Eigen::Array3d LampVeil::IntegrateAlong(const Eigen::Vector3d& ray_C, double begin,

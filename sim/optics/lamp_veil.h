@@ -7,20 +7,11 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "sim/optics/lamp_config.h"
+#include "sim/optics/lamp_in_camera.h"
 #include "sim/optics/water_config.h"
 #include "sim/render/pinhole.h"
 
 namespace drydock::sim {
-
-/// A lamp as one camera has it.
-struct LampInCamera {
-  Eigen::Vector3d position_C = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d axis_C = Eigen::Vector3d::UnitZ();     ///< Unit vector.
-  double sharpness = 1.0;                                ///< k of LampConfig.
-  /// Illuminance at 1 m of clear water per channel, as a share of full sun.
-  Eigen::Array3d intensity = Eigen::Array3d::Zero();
-};
 
 /// Share of scattered light per solid angle [1/sr] that is turned by an angle with this cosine, by
 /// Henyey and Greenstein (Astrophysical Journal 93, 1941) with g = 0.924, which scatters 1.7 % of

@@ -10,14 +10,22 @@
 
 namespace drydock::sim::rows {
 
+/// The nearest whole number of what is below 2^22: adding and taking away 1.5 * 2^23 rounds.
+inline __attribute__((always_inline)) float Round(float x) {
+  constexpr float kRound = 12582912.F;
+  return (x + kRound) - kRound;
+}
+
+inline __attribute__((always_inline)) float Mix(float a, float b, float share) {
+  return a + share * (b - a);
+}
+
 /// exp(x) for x in about [-87, 80], relative error below 2e-6; below that range a very small
 /// number. 2^(x log2 e), the whole part through the exponent bits, the rest by its Taylor
 /// polynomial.
 inline __attribute__((always_inline)) float FastExp(float x) {
   const float power = std::max(x * 1.44269504F, -126.F);
-  // Adding and taking away 1.5 * 2^23 rounds to the nearest whole number.
-  constexpr float kRound = 12582912.F;
-  const float whole = (power + kRound) - kRound;
+  const float whole = Round(power);
   const float f = (power - whole) * 0.69314718F;
   const float polynomial =
       1.F + f * (1.F + f * (0.5F + f * (0.16666667F + f * (0.041666667F + f * 0.0083333333F))));

@@ -44,7 +44,7 @@ std::pair<int, int> CellsThatTouch(int count, int raster, Touches touches) {
   int begin = 0, end = count;
   while (begin < end && !touches(begin)) ++begin;
   while (end > begin && !touches(end - 1)) --end;
-  return {begin / raster, (end + raster - 1) / raster};
+  return {begin / raster, CellsIn(end, raster)};
 }
 
 }  // namespace

@@ -6,12 +6,6 @@
 #include "sim/optics/optics_rows.h"
 
 namespace drydock::sim {
-namespace {
-
-int CellsIn(int pixels, int raster) { return (pixels + raster - 1) / raster; }
-
-}  // namespace
-
 VeilLight::VeilLight(const WaterConfig& water, const Pinhole& pinhole)
     : pinhole_(pinhole),
       attenuation_(BeamAttenuation(water)[1]),

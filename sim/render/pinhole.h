@@ -12,4 +12,7 @@ struct Pinhole {
   double cy = 0.0;     ///< [px]
 };
 
+/// How many cells of `raster` pixels it takes to cover `pixels` of them.
+inline int CellsIn(int pixels, int raster) { return (pixels + raster - 1) / raster; }
+
 }  // namespace drydock::sim

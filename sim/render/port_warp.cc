@@ -9,8 +9,6 @@ namespace {
 
 constexpr auto kNearest = static_cast<float>(FlatPort::largest_inverse_depth());
 
-int BlocksIn(int size, int block) { return (size + block - 1) / block; }
-
 /// Of each and its two neighbours, `spacing` elements apart.
 std::vector<float> LargestOfThree(const std::vector<float>& values, int width, int height,
                                   int across, int down) {
@@ -39,7 +37,7 @@ PortWarp::PortWarp(const FlatPort& port, const Pinhole& source, int width,
       source_width_(source.width),
       source_height_(source.height),
       calibrated_(static_cast<float>(port.calibrated_inverse_depth())) {
-  const int blocks = BlocksIn(source.width, kBlock);
+  const int blocks = CellsIn(source.width, kBlock);
   for (std::size_t i = 0; i < middles.size(); ++i) {
     const double column = middles[i].x() * source.focal + source.cx;
     const double row = middles[i].y() * source.focal + source.cy;
@@ -52,7 +50,7 @@ PortWarp::PortWarp(const FlatPort& port, const Pinhole& source, int width,
 }
 
 PortWarp::Depths PortWarp::Survey(const cv::Mat& depth) const {
-  const int width = BlocksIn(depth.cols, kBlock), height = BlocksIn(depth.rows, kBlock);
+  const int width = CellsIn(depth.cols, kBlock), height = CellsIn(depth.rows, kBlock);
   Depths depths;
   depths.inverse.resize(depth.total());
   std::vector<float> highest(static_cast<std::size_t>(width) * kBlock);
