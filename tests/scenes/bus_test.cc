@@ -23,13 +23,11 @@ using Eigen::Vector3d;
 constexpr std::uint64_t kSeed = 1;
 
 TEST(BusScene, SameSeedGivesTheSameBytes) {
-  const fs::path base = fs::path(::testing::TempDir()) / "drydock_bus_test";
-  fs::remove_all(base);
-  GenerateBus(kSeed, base / "a", 0.1);
-  GenerateBus(kSeed, base / "b", 0.1);
-  const auto a = testing::FilesOf(base / "a");
-  const auto b = testing::FilesOf(base / "b");
-  fs::remove_all(base);
+  const auto make = [](std::uint64_t seed) {
+    return testing::FilesMadeBy([&](const fs::path& folder) { GenerateBus(seed, folder, 0.1); });
+  };
+  const auto a = make(kSeed);
+  const auto b = make(kSeed);
   EXPECT_GT(a.size(), 100U);
   EXPECT_TRUE(a.contains("scene.xml"));
   ASSERT_EQ(a.size(), b.size());

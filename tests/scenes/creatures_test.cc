@@ -36,13 +36,12 @@ Mesh WholeFish(const FishShape& shape) {
 }
 
 TEST(Creatures, SameSeedGivesTheSameBytes) {
-  const fs::path base = fs::path(::testing::TempDir()) / "drydock_creatures_test";
-  fs::remove_all(base);
-  GenerateCreatures(kSeed, base / "a", 0.1);
-  GenerateCreatures(kSeed, base / "b", 0.1);
-  const auto a = testing::FilesOf(base / "a");
-  const auto b = testing::FilesOf(base / "b");
-  fs::remove_all(base);
+  const auto make = [](std::uint64_t seed) {
+    return testing::FilesMadeBy(
+        [&](const fs::path& folder) { GenerateCreatures(seed, folder, 0.1); });
+  };
+  const auto a = make(kSeed);
+  const auto b = make(kSeed);
   EXPECT_TRUE(a == b);
   for (const auto& [name, parts] : CreatureParts()) {
     for (const CreaturePart& part : parts) {

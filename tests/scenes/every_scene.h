@@ -17,6 +17,7 @@
 #include "scenes/model/model.h"
 #include "scenes/texture/texture_task.h"
 #include "sensors_models/base/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace drydock::testing {
 
@@ -28,6 +29,28 @@ inline std::map<std::string, std::string> FilesOf(const std::filesystem::path& f
       files[std::filesystem::relative(entry.path(), folder).string()] = ReadFile(entry.path());
   }
   return files;
+}
+
+/// The files that `generate` writes into a folder, which is then removed.
+template <typename Generate>
+std::map<std::string, std::string> FilesMadeBy(const Generate& generate) {
+  const TemporaryFolder folder;
+  generate(folder.path() / "scene");
+  return FilesOf(folder.path() / "scene");
+}
+
+/// A picture's opposite sides fit: the step across the seam is no more than twice that between the
+/// columns, and rows, number `somewhere` and the next.
+inline void ExpectMeetsItself(const cv::Mat3b& picture, int somewhere, const std::string& name) {
+  const auto step = [](const cv::Mat& a, const cv::Mat& b) {
+    return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(3 * a.total());
+  };
+  EXPECT_LT(step(picture.col(0), picture.col(picture.cols - 1)),
+            2.0 * step(picture.col(somewhere), picture.col(somewhere + 1)))
+      << name;
+  EXPECT_LT(step(picture.row(0), picture.row(picture.rows - 1)),
+            2.0 * step(picture.row(somewhere), picture.row(somewhere + 1)))
+      << name;
 }
 
 /// Every material has a picture, and every picture is some part's.

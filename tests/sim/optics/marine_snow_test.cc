@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sensors_models/base/check.h"
+#include "tests/sim/optics/even_light.h"
 
 namespace drydock::sim {
 namespace {
@@ -17,21 +18,14 @@ namespace {
 const Pinhole kPinhole{401, 301, 300.0, 200.0, 150.0};
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-LightAt Even(float light) {
-  return [light](const Eigen::Vector3d&) { return Eigen::Array3f::Constant(light).eval(); };
-}
-
-WaterConfig Water(double visibility_m) {
-  WaterConfig water;
-  water.visibility_m = visibility_m;
-  return water;
-}
+using testing::EvenLight;
+using testing::WaterOf;
 
 /// The camera looks along W's z axis from `p`.
 Pose From(const Eigen::Vector3d& p) { return {Eigen::Quaterniond::Identity(), p}; }
 
 cv::Mat Draw(const MarineSnow& snow, const Pose& T_WC, Time t = {}, float depth = kNothing,
-             const LightAt& light = Even(1.F), double background = 0.0) {
+             const LightAt& light = EvenLight(1.F), double background = 0.0) {
   const cv::Mat depths(kPinhole.height, kPinhole.width, CV_32FC1, cv::Scalar(depth));
   cv::Mat radiance(depths.size(), CV_32FC3, cv::Scalar::all(background));
   snow.AddTo(depths, T_WC, t, ImageChannels::kColor, light, radiance);
@@ -69,7 +63,7 @@ class LoneFlake : public ::testing::Test {
   Pose At(double range) const { return From(flake_.p_W - Eigen::Vector3d(0, 0, range)); }
 
   MarineSnow Snow(double visibility_m = 0.0) const {
-    return {config_, Water(visibility_m), kPinhole, kSeed};
+    return {config_, WaterOf(visibility_m), kPinhole, kSeed};
   }
 
   static cv::Point2d Middle(const cv::Mat& radiance) {
@@ -106,7 +100,7 @@ TEST_F(LoneFlake, FadesWithTheWaterBeforeIt) {
     const cv::Scalar seen = cv::sum(Draw(snow, T_WC)), bare = cv::sum(Draw(clear, T_WC));
     ASSERT_GT(bare[1], 0.0);
     for (int i = 0; i < 3; ++i) {
-      const double expected = std::exp(-BeamAttenuation(Water(6.0))[i] * range * std::sqrt(1.25));
+      const double expected = std::exp(-BeamAttenuation(WaterOf(6.0))[i] * range * std::sqrt(1.25));
       EXPECT_NEAR(seen[i] / bare[i], expected, 1e-4 * expected) << range << " m, channel " << i;
     }
   }
@@ -124,13 +118,13 @@ TEST_F(LoneFlake, IsAsBrightAsItsLight) {
 
 TEST_F(LoneFlake, DoesNotShowAgainstItsOwnRadiance) {
   const auto own = static_cast<float>(flake_.albedo);
-  cv::Mat radiance = Draw(Snow(6.0), At(1.0), {}, kNothing, Even(1.F), own);
+  cv::Mat radiance = Draw(Snow(6.0), At(1.0), {}, kNothing, EvenLight(1.F), own);
   double low = 0.0, high = 0.0;
   cv::minMaxLoc(radiance.reshape(1), &low, &high);
   EXPECT_NEAR(low, own, 1e-6);
   EXPECT_NEAR(high, own, 1e-6);
   // It is darker than a brighter background.
-  radiance = Draw(Snow(6.0), At(0.5), {}, kNothing, Even(1.F), 3.0);
+  radiance = Draw(Snow(6.0), At(0.5), {}, kNothing, EvenLight(1.F), 3.0);
   cv::minMaxLoc(radiance.reshape(1), &low, &high);
   EXPECT_LT(low, 2.9);
 }
@@ -198,10 +192,10 @@ TEST_F(LoneFlake, IsDimmedBySiltInFrontOfIt) {
   cloud.radius_m = 0.3;
   cloud.attenuation_1_m = 2.0;
   cloud.rise_s = 0.0;
-  const Silt silt({cloud}, Water(0.0), kPinhole, 1);
+  const Silt silt({cloud}, WaterOf(0.0), kPinhole, 1);
   const cv::Mat depths(kPinhole.height, kPinhole.width, CV_32FC1, cv::Scalar(kNothing));
   cv::Mat radiance(depths.size(), CV_32FC3, cv::Scalar::all(0.0));
-  Snow().AddTo(depths, At(2.0), {}, ImageChannels::kColor, Even(1.F), radiance, &silt);
+  Snow().AddTo(depths, At(2.0), {}, ImageChannels::kColor, EvenLight(1.F), radiance, &silt);
   const double tau = silt.DepthBetween(At(2.0).p(), flake_.p_W, {});
   ASSERT_GT(tau, 0.1);
   EXPECT_NEAR(cv::sum(radiance)[1] / cv::sum(Draw(Snow(), At(2.0)))[1], std::exp(-tau), 1e-5);
@@ -300,12 +294,12 @@ TEST(MarineSnow, LightGrowsWithDensity) {
   config.size_min_m = config.size_max_m = 0.001;
   const auto added = [&](double density) {
     config.density_m3 = density;
-    const MarineSnow snow(config, Water(12.0), kPinhole, 1);
+    const MarineSnow snow(config, WaterOf(12.0), kPinhole, 1);
     double sum = 0.0;
     for (const Pose& T_WC : ManyViews(400)) {
       const cv::Mat depths(kPinhole.height, kPinhole.width, CV_32FC1, cv::Scalar(kNothing));
       cv::Mat radiance(depths.size(), CV_32FC1, cv::Scalar(0.0));
-      snow.AddTo(depths, T_WC, {}, ImageChannels::kMonochrome, Even(1.F), radiance);
+      snow.AddTo(depths, T_WC, {}, ImageChannels::kMonochrome, EvenLight(1.F), radiance);
       sum += cv::sum(radiance)[0];
     }
     return sum;
@@ -317,11 +311,12 @@ TEST(MarineSnow, LightGrowsWithDensity) {
 TEST(MarineSnow, IsTheSameOnEveryRunAndHangsOnTheSeed) {
   const MarineSnowConfig config;
   const Time t = Time::FromSeconds(12.3);
-  const MarineSnow snow(config, Water(12.0), kPinhole, 1);
+  const MarineSnow snow(config, WaterOf(12.0), kPinhole, 1);
   const cv::Mat once = Draw(snow, From({1, 2, 3}), t);
   EXPECT_GT(cv::sum(once)[1], 0.0);
   EXPECT_TRUE(SameBytes(once, Draw(snow, From({1, 2, 3}), t)));
-  const MarineSnow again(config, Water(12.0), kPinhole, 1), other(config, Water(12.0), kPinhole, 2);
+  const MarineSnow again(config, WaterOf(12.0), kPinhole, 1),
+      other(config, WaterOf(12.0), kPinhole, 2);
   EXPECT_TRUE(SameBytes(once, Draw(again, From({1, 2, 3}), t)));
   EXPECT_FALSE(SameBytes(once, Draw(other, From({1, 2, 3}), t)));
 }
@@ -330,7 +325,7 @@ TEST(MarineSnow, IsTheSameOnEveryRunAndHangsOnTheSeed) {
 TEST(MarineSnow, NearFlakesCoverFarOnes) {
   MarineSnowConfig config = Still(2000.0);
   config.size_min_m = config.size_max_m;
-  const MarineSnow snow(config, Water(0.0), kPinhole, 1);
+  const MarineSnow snow(config, WaterOf(0.0), kPinhole, 1);
   const LightAt light = [](const Eigen::Vector3d& p_W) {
     return Eigen::Array3f::Constant(p_W.z() < 1.F ? 1.F : 0.F).eval();
   };
@@ -342,17 +337,17 @@ TEST(MarineSnow, NearFlakesCoverFarOnes) {
 }
 
 TEST(MarineSnow, NoneLeavesTheImageAlone) {
-  const MarineSnow snow(Still(0.0), Water(12.0), kPinhole, 1);
-  const cv::Mat image = Draw(snow, From({1, 2, 3}), {}, kNothing, Even(1.F), 0.3);
+  const MarineSnow snow(Still(0.0), WaterOf(12.0), kPinhole, 1);
+  const cv::Mat image = Draw(snow, From({1, 2, 3}), {}, kNothing, EvenLight(1.F), 0.3);
   EXPECT_TRUE(SameBytes(image, cv::Mat(image.size(), CV_32FC3, cv::Scalar::all(0.3))));
 }
 
 TEST(MarineSnow, MonochromeIsAWeightedSum) {
-  const MarineSnow snow(MarineSnowConfig{}, Water(6.0), kPinhole, 1);
+  const MarineSnow snow(MarineSnowConfig{}, WaterOf(6.0), kPinhole, 1);
   const cv::Mat color = Draw(snow, From({1, 2, 3}));
   const cv::Mat depths(kPinhole.height, kPinhole.width, CV_32FC1, cv::Scalar(kNothing));
   cv::Mat grey(depths.size(), CV_32FC1, cv::Scalar(0.0));
-  snow.AddTo(depths, From({1, 2, 3}), {}, ImageChannels::kMonochrome, Even(1.F), grey);
+  snow.AddTo(depths, From({1, 2, 3}), {}, ImageChannels::kMonochrome, EvenLight(1.F), grey);
   const cv::Scalar sum = cv::sum(color);
   const double expected = 0.30 * sum[0] + 0.45 * sum[1] + 0.25 * sum[2];
   EXPECT_NEAR(cv::sum(grey)[0] / expected, 1.0, 1e-3);

@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include "sensors_models/base/check.h"
+#include "tests/sim/optics/even_light.h"
 
 namespace drydock::sim {
 namespace {
@@ -16,15 +17,8 @@ namespace {
 const Pinhole kPinhole{203, 151, 150.0, 100.0, 75.0};
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-LightAt Even(float light) {
-  return [light](const Eigen::Vector3d&) { return Eigen::Array3f::Constant(light).eval(); };
-}
-
-WaterConfig Water(double visibility_m) {
-  WaterConfig water;
-  water.visibility_m = visibility_m;
-  return water;
-}
+using testing::EvenLight;
+using testing::WaterOf;
 
 /// One blob that is there at once and for ever.
 SiltCloud Cloud(const Eigen::Vector3d& position, double radius, double attenuation) {
@@ -48,7 +42,7 @@ cv::Mat Depths(float depth) {
 cv::Mat See(const Silt& silt, double background, float light, const cv::Mat& depths,
             const Pose& T_WC = From({0, 0, 0}), Time t = {}) {
   cv::Mat radiance(depths.size(), CV_32FC3, cv::Scalar::all(background));
-  silt.AddTo(depths, T_WC, t, ImageChannels::kColor, Even(light), radiance);
+  silt.AddTo(depths, T_WC, t, ImageChannels::kColor, EvenLight(light), radiance);
   return radiance;
 }
 
@@ -90,7 +84,7 @@ TEST(Silt, ExtinguishesByTheIntegralUpToEachPixel) {
   for (const Eigen::Vector3d& centre :
        {Eigen::Vector3d(0.2, 0.1, 2.0), Eigen::Vector3d(0, 0, 0.1), Eigen::Vector3d(-0.8, 0, -0.3),
         Eigen::Vector3d(1.5, 1, 1.5)}) {
-    const Silt silt({Cloud(centre, 0.6, 3.0)}, Water(0.0), kPinhole, 1);
+    const Silt silt({Cloud(centre, 0.6, 3.0)}, WaterOf(0.0), kPinhole, 1);
     const SiltBlob blob{centre, 0.6, 3.0};
     cv::Mat depths = Depths(0.F);
     for (int v = 0; v < depths.rows; ++v) {
@@ -112,7 +106,7 @@ TEST(Silt, ExtinguishesByTheIntegralUpToEachPixel) {
 TEST(Silt, BothEyesSeeThroughTheSameCloud) {
   SiltCloud cloud = Cloud({0.1, 0, 2}, 0.5, 2.0);
   cloud.puffs = 8;
-  const Silt silt({cloud}, Water(0.0), kPinhole, 1);
+  const Silt silt({cloud}, WaterOf(0.0), kPinhole, 1);
   const Eigen::Vector3d point(0.0, 0.0, 3.0);
   for (const double x : {0.0, 0.16}) {  // A whole number of pixels at this depth.
     const cv::Mat seen = See(silt, 1.0, 0.F, Depths(3.F), From({x, 0, 0}));
@@ -129,7 +123,7 @@ TEST(Silt, KeepsAFieldOfItsOwnRadiance) {
   cloud.albedo = {0.3, 0.3, 0.3};
   cloud.puffs = 10;
   for (const double visibility : {0.0, 4.0}) {
-    const Silt silt({cloud}, Water(visibility), kPinhole, 1);
+    const Silt silt({cloud}, WaterOf(visibility), kPinhole, 1);
     const cv::Mat seen = See(silt, 0.3 * 0.5, 0.5F, Depths(3.F));
     double low = 0.0, high = 0.0;
     cv::minMaxLoc(seen.reshape(1), &low, &high);
@@ -140,7 +134,7 @@ TEST(Silt, KeepsAFieldOfItsOwnRadiance) {
 
 TEST(Silt, DenseSiltShowsItsAlbedo) {
   SiltCloud cloud = Cloud({0, 0, 0}, 3.0, 30.0);
-  const Silt silt({cloud}, Water(0.0), kPinhole, 1);
+  const Silt silt({cloud}, WaterOf(0.0), kPinhole, 1);
   const cv::Vec3f seen = See(silt, 1.0, 0.5F, Depths(5.F)).at<cv::Vec3f>(75, 100);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(seen[i], 0.5 * cloud.albedo[i], 1e-5);
 }
@@ -148,7 +142,7 @@ TEST(Silt, DenseSiltShowsItsAlbedo) {
 // A thin cloud before black: its light comes from its middle on average.
 TEST(Silt, ShinesThroughTheWaterBeforeIt) {
   const SiltCloud cloud = Cloud({0, 0, 3}, 0.2, 0.5);
-  const WaterConfig water = Water(6.0);
+  const WaterConfig water = WaterOf(6.0);
   const Silt silt({cloud}, water, kPinhole, 1);
   const cv::Vec3f seen = See(silt, 0.0, 1.F, Depths(kNothing)).at<cv::Vec3f>(75, 100);
   const double opacity = 1.0 - std::exp(-0.5 * 0.2 * std::sqrt(2.0 * std::numbers::pi));
@@ -159,7 +153,7 @@ TEST(Silt, ShinesThroughTheWaterBeforeIt) {
 }
 
 TEST(Silt, IsLitAtItsNearSide) {
-  const Silt silt({Cloud({0, 0, 4}, 1.0, 20.0)}, Water(0.0), kPinhole, 1);
+  const Silt silt({Cloud({0, 0, 4}, 1.0, 20.0)}, WaterOf(0.0), kPinhole, 1);
   double nearest = 1e9, farthest = 0.0;
   const LightAt light = [&](const Eigen::Vector3d& p_W) {
     if (p_W.head<2>().norm() < 0.3) {
@@ -177,15 +171,16 @@ TEST(Silt, IsLitAtItsNearSide) {
 }
 
 TEST(Silt, WhereThereIsNoneNothingChanges) {
-  EXPECT_TRUE(Untouched(See(Silt({}, Water(6.0), kPinhole, 1), 0.7, 1.F, Depths(3.F)), 0.7));
+  EXPECT_TRUE(Untouched(See(Silt({}, WaterOf(6.0), kPinhole, 1), 0.7, 1.F, Depths(3.F)), 0.7));
   // Behind the camera, beside the view, without density.
   for (const SiltCloud& cloud : {Cloud({0, 0, -4}, 0.5, 5.0), Cloud({9, 0, 2}, 0.5, 5.0),
                                  Cloud({0, 9, 2}, 0.5, 5.0), Cloud({0, 0, 2}, 0.5, 0.0)}) {
-    EXPECT_TRUE(Untouched(See(Silt({cloud}, Water(6.0), kPinhole, 1), 0.7, 1.F, Depths(3.F)), 0.7));
+    EXPECT_TRUE(
+        Untouched(See(Silt({cloud}, WaterOf(6.0), kPinhole, 1), 0.7, 1.F, Depths(3.F)), 0.7));
   }
   // A corner of the image stays as it was.
-  const cv::Mat seen =
-      See(Silt({Cloud({0.9, 0.7, 2}, 0.05, 5.0)}, Water(6.0), kPinhole, 1), 0.7, 1.F, Depths(3.F));
+  const cv::Mat seen = See(Silt({Cloud({0.9, 0.7, 2}, 0.05, 5.0)}, WaterOf(6.0), kPinhole, 1), 0.7,
+                           1.F, Depths(3.F));
   EXPECT_TRUE(Untouched(seen(cv::Rect(0, 0, 60, 60)).clone(), 0.7));
   EXPECT_FALSE(Untouched(seen, 0.7));
 }
@@ -196,7 +191,7 @@ TEST(Silt, ComesUpAndSettles) {
   cloud.rise_s = 4.0;
   cloud.to_s = 20.0;
   cloud.settle_s = 10.0;
-  const Silt silt({cloud}, Water(0.0), kPinhole, 1);
+  const Silt silt({cloud}, WaterOf(0.0), kPinhole, 1);
   const auto tau = [&](double t) {
     return silt.DepthBetween({0, 0, 0}, {0, 0, 9}, Time::FromSeconds(t));
   };
@@ -233,9 +228,9 @@ TEST(Silt, DriftsAndThinsOutAsItGrows) {
 TEST(Silt, PuffsMakeUpTheCloud) {
   const Eigen::Vector3d centre(0.3, -0.2, 0.1);
   SiltCloud cloud = Cloud(centre, 0.5, 2.0);
-  const Silt one({cloud}, Water(0.0), kPinhole, 7);
+  const Silt one({cloud}, WaterOf(0.0), kPinhole, 7);
   cloud.puffs = 12;
-  const Silt silt({cloud}, Water(0.0), kPinhole, 7);
+  const Silt silt({cloud}, WaterOf(0.0), kPinhole, 7);
   constexpr double kStep = 0.05;
   double squares = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -272,21 +267,21 @@ TEST(Silt, NearerCloudsCoverFartherOnes) {
   near.albedo.setConstant(0.1);
   far.albedo.setConstant(0.9);
   for (const auto& clouds : {std::vector{near, far}, std::vector{far, near}}) {
-    const Silt silt(clouds, Water(0.0), kPinhole, 1);
+    const Silt silt(clouds, WaterOf(0.0), kPinhole, 1);
     EXPECT_NEAR(See(silt, 0.0, 1.F, Depths(9.F)).at<cv::Vec3f>(75, 100)[1], 0.1, 1e-3);
   }
 }
 
 TEST(Silt, MonochromeIsAWeightedSum) {
-  const Silt silt({Cloud({0, 0, 2}, 0.5, 2.0)}, Water(8.0), kPinhole, 1);
+  const Silt silt({Cloud({0, 0, 2}, 0.5, 2.0)}, WaterOf(8.0), kPinhole, 1);
   const cv::Vec3f color = See(silt, 0.0, 1.F, Depths(3.F)).at<cv::Vec3f>(60, 90);
   cv::Mat grey(kPinhole.height, kPinhole.width, CV_32FC1, cv::Scalar(0.0));
-  silt.AddTo(Depths(3.F), From({0, 0, 0}), {}, ImageChannels::kMonochrome, Even(1.F), grey);
+  silt.AddTo(Depths(3.F), From({0, 0, 0}), {}, ImageChannels::kMonochrome, EvenLight(1.F), grey);
   EXPECT_NEAR(grey.at<float>(60, 90), 0.30F * color[0] + 0.45F * color[1] + 0.25F * color[2], 1e-6);
 }
 
 TEST(Silt, TakesDaylightFromWhatIsBelow) {
-  const Silt silt({Cloud({0, 0, 0}, 0.5, 4.0)}, Water(8.0), kPinhole, 1);
+  const Silt silt({Cloud({0, 0, 0}, 0.5, 4.0)}, WaterOf(8.0), kPinhole, 1);
   EXPECT_NEAR(silt.DaylightLeft({0, 0, 4}, {}), 1.0, 1e-6);
   const double through = 4.0 * 0.5 * std::sqrt(2.0 * std::numbers::pi);
   EXPECT_NEAR(silt.DaylightLeft({0, 0, -4}, {}), std::exp(-0.15 * through), 1e-6);
